@@ -143,10 +143,24 @@ TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
   EXPECT_NEAR(static_cast<double>(passes), (largest - least) / (2.0 * std::sqrt(16.0 - 3.8 * 3.8)) + 1.0, 1.6);
   const std::string call = "cd '" + folder.root().string() + "' && rs274 -g a.ngc canon.txt 2>messages.txt";
   ASSERT_EQ(std::system(call.c_str()), 0) << readText(folder.path("messages.txt"));
-  const RunResult apt = run(folder, {"cap.xyz", "--tool-radius", "4", "--step-over", "8", "-o", "b.apt"});
-  EXPECT_EQ(apt.code, 1);
-  expectHas(apt.err, " passes, and this format has no moves between them");
-  EXPECT_FALSE(std::filesystem::exists(folder.path("b.apt")));
+  const RunResult others = run(
+      folder, {"cap.xyz", "--tool-radius", "4", "--corner-radius", "1", "--step-over", "8", "-o", "b.apt", "-o", "b.yaml", "-o", "b.csv"});
+  ASSERT_EQ(others.code, 0) << others.err;
+  std::size_t apart = 1;
+  const auto lines = rows(readText(folder.path("b.csv")));
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    apart += lines[i][0] != lines[i - 1][0];
+  EXPECT_GT(apart, 2U);
+  const auto count = [](const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+      ++found;
+    return found;
+  };
+  const std::size_t rapids = count(readText(folder.path("b.apt")), "RAPID\n"); // the highest rows climb to the top at once
+  EXPECT_GE(rapids, 3 * apart);
+  EXPECT_LE(rapids, 5 * apart);
+  EXPECT_EQ(count(readText(folder.path("b.yaml")), "- - {x: "), apart);
 }
 
 TEST(Drive, RowsAreKeptToTheScallopAndJoined)
@@ -448,7 +462,7 @@ TEST(Drive, WrongCallsAreRefused)
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--one-way"}, 2, "leave --one-way");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-over", "1", "--link", "--drive", "rings"}, 2,
        "--link: --drive rings does not use it");
-  for (const char* output : {"a.yaml", "a.pcd", "a.ply"})
+  for (const char* output : {"a.pcd", "a.ply"})
     said({"cap.xyz", "-o", output, "--tool-radius", "3", "--corner-radius", "1", "--step-over", "1"}, 2, "only for a ball");
   writeText(folder.path("job.yaml"), "tool-radius: 3\nstep-over: 1\none-way: perhaps\n");
   said({"cap.xyz", "-o", "a.csv", "--config", "job.yaml"}, 2, "must be true or false");
@@ -457,4 +471,62 @@ TEST(Drive, WrongCallsAreRefused)
        "this is the machine's file itself");
   said({"cap.xyz", "-o", "a.csv", "--tool-radius", "3", "--step-ove", "1"}, 2, "did you mean 'step-over'?");
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
+}
+
+TEST(Drive, LinksStayDownWhereTheWayIsFree)
+{
+  const ScratchFolder folder;
+  const std::vector<std::string> call{"--tool-radius", "3",  "--step-over", "1.5", "--stay-down", "10",        "-o",
+                                      "a.ngc",         "-o", "a.json",      "-o",  "a.csv",       "--machine", machines + "/xyzac.yaml"};
+  const auto drive = [&](const std::string& scan) {
+    std::vector<std::string> arguments = call;
+    arguments.insert(arguments.begin(), scan);
+    return run(folder, arguments);
+  };
+  const auto count = [&folder](const std::string& part) {
+    const std::string text = readText(folder.path("a.ngc"));
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+      ++found;
+    return found;
+  };
+  const RunResult open = drive("cap.xyz");
+  ASSERT_EQ(open.code, 0) << open.err;
+  const auto all = rows(readText(folder.path("a.csv")));
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (all[i][0] != all[i - 1][0])
+      begins.push_back(i);
+  expectHas(open.out, "links           " + std::to_string(begins.size()) + " near the surface, 0 not free: the tool retracts");
+  EXPECT_EQ(count("(link to the next pass)"), begins.size());
+  EXPECT_EQ(count("(end of the link)"), begins.size());
+  expectHas(readText(folder.path("a.json")), "\"blocked_links\": 0");
+  const std::string canon = "cd '" + folder.root().string() + "' && rs274 -g a.ngc canon.txt 2>messages.txt";
+  ASSERT_EQ(std::system(canon.c_str()), 0) << readText(folder.path("messages.txt"));
+
+  // A post 4.4 mm from the axis at the end of a row: rows and leads pass, the link comes nearer than the radius and 1 mm.
+  const auto& end = all[begins[begins.size() / 2] - 1];
+  const double away = 1.0 + 4.4 / std::hypot(end[8], end[9]);
+  std::ostringstream post;
+  for (int i = 0; i < 8; ++i)
+    post << away * end[8] << ' ' << away * end[9] << ' ' << end[10] + 1.0 + i << '\n';
+  writeText(folder.path("post.xyz"), readText(folder.path("cap.xyz")) + post.str());
+  const RunResult blocked = drive("post.xyz");
+  ASSERT_EQ(blocked.code, 0) << blocked.err;
+  const std::size_t links = count("(link to the next pass)");
+  EXPECT_LT(links, begins.size());
+  EXPECT_GT(links + 5, begins.size());
+  expectHas(blocked.out,
+            "links           " + std::to_string(links) + " near the surface, " + std::to_string(begins.size() - links) + " not free");
+  const RunResult judged = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM,
+                                              {"post.xyz", "a.ngc", "--tool-radius", "3", "--scallop", "0.1", "--machine",
+                                               machines + "/xyzac.yaml", "-o", "judged.json"},
+                                              folder),
+                                 folder);
+  EXPECT_EQ(judged.code, 0) << judged.out << judged.err;
+  expectHas(judged.out, "0 of these collide");
+  expectHas(readText(folder.path("judged.json")), "\"passes\": " + std::to_string(begins.size() + 1));
+  const RunResult refused = run(folder, {"cap.xyz", "--tool-radius", "3", "--step-over", "1.5", "--stay-down", "10", "-o", "b.csv"});
+  EXPECT_EQ(refused.code, 2);
+  expectHas(refused.err, "--stay-down: no output is a program");
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iomanip>
@@ -72,8 +73,9 @@ protected:
     for (const char* dialect : {"fanuc", "fanuc-ijk", "siemens", "heidenhain"})
       make(PCL_SPIRAL_TOOLPATH_PROGRAM, {"--scallop", "0.02", "--tool", "3", "-o", std::string(dialect) + ".nc", "--dialect", dialect,
                                          "--machine", machines + "/head_head.yaml"});
-    make(PCL_SPIRAL_DRIVE_PROGRAM,
-         {"--step-over", "0.6", "--tolerance", "0.005", "--one-way", "-o", "rows.ngc", "--machine", machines + "/xyzac.yaml"});
+    make(PCL_SPIRAL_DRIVE_PROGRAM, {"--step-over", "0.6", "--tolerance", "0.005", "--one-way", "-o", "rows.ngc", "-o", "rows.apt",
+                                    "--machine", machines + "/xyzac.yaml"});
+    make(PCL_SPIRAL_DRIVE_PROGRAM, {"--step-over", "0.6", "--tolerance", "0.005", "--one-way", "-o", "alone.apt"});
   }
   static void TearDownTestSuite() { made_.reset(); }
   void SetUp() override { std::filesystem::copy(made_->root(), folder_.root()); }
@@ -239,6 +241,38 @@ TEST_F(JudgedProgram, TheWayBetweenRowsIsNoCutUntilItsRapidsAreLow)
       line = withValue(line, 'Z', -9.0);
   writeText(folder_.path("spoilt.ngc"), textOf(lines));
   const RunResult result = verify("spoilt.ngc");
+  expectHas(result.out, ": on this rapid move ");
+  EXPECT_EQ(result.code, 1) << result.out << result.err;
+}
+
+TEST_F(JudgedProgram, CldataOfSeveralPassesIsJudgedAsTheProgramIs)
+{
+  const auto figuresOf = [this](const std::string& file, const std::string& machine) {
+    const RunResult result = verify(file, machine, {"--max-gouge", "0.008", "--max-deviation", "0.008", "-o", "figures.json"});
+    EXPECT_EQ(result.code, 0) << file << result.out << result.err;
+    expectHas(result.out, "0 of these collide");
+    return nlohmann::json::parse(readText(folder_.path("figures.json")))["paths"][0];
+  };
+  const auto program = figuresOf("rows.ngc", machines + "/xyzac.yaml");
+  const std::size_t passes = program["program"]["passes"];
+  EXPECT_GT(passes, 20U);
+  for (const auto& [file, machine] :
+       std::vector<std::pair<std::string, std::string>>{{"rows.apt", ""}, {"rows.apt", machines + "/xyzac.yaml"}, {"alone.apt", ""}}) {
+    const auto figures = figuresOf(file, machine);
+    EXPECT_EQ(figures["program"]["passes"], passes) << file;
+    EXPECT_NEAR(figures["deviation"]["rms"].get<double>(), program["deviation"]["rms"].get<double>(), 2e-5);
+  }
+  Lines lines = linesOf(readText(folder_.path("alone.apt")));
+  const auto middle = static_cast<std::size_t>(std::count(lines.begin(), lines.end(), "RAPID")) / 2;
+  std::size_t rapids = 0;
+  bool low = false;
+  for (std::string& line : lines) { // across a row in the middle
+    if (low)
+      line = std::regex_replace(line, std::regex("^(GOTO/[^,]*,[^,]*),[^,]*"), "$1,-9.0");
+    low = line == "RAPID" && ++rapids >= middle && rapids < middle + 5;
+  }
+  writeText(folder_.path("spoilt.apt"), textOf(lines));
+  const RunResult result = verify("spoilt.apt", "");
   expectHas(result.out, ": on this rapid move ");
   EXPECT_EQ(result.code, 1) << result.out << result.err;
 }

@@ -88,7 +88,13 @@ TEST(Program, EveryLanguageAndExchangeFileIsWritten)
   ASSERT_EQ(done.code, 0) << done.err;
   EXPECT_EQ(readText(folder.path("a.apt")), readText(folder.path("b.cls")));
   expectHas(readText(folder.path("a.apt")), "CUTTER/16.000000,8.000000,");
-  EXPECT_EQ(readText(folder.path("c.yaml")).rfind("- - - - {x: ", 0), 0U);
+  expectHas(readText(folder.path("c.yaml")), "# place: tip of the tool; z: tool axis");
+  EXPECT_EQ(linesWith(readText(folder.path("c.yaml")), "- - - - {x: "), 1U);
+  ASSERT_EQ(run(folder, {"-o", "d.yaml", "--robot-z", "normal", "--quiet"}).code, 0);
+  expectHas(readText(folder.path("d.yaml")), "# place: contact; z: normal of the surface");
+  const RunResult refused = run(folder, {"-o", "d.csv", "--robot-z", "normal"});
+  EXPECT_EQ(refused.code, 2);
+  expectHas(refused.err, "--robot-z normal: no output has robot frames; add an output .yaml, or leave it out");
 }
 
 /** A flat L as the text of an .xyz file. */
@@ -103,7 +109,7 @@ ellScan()
   return text.str();
 }
 
-TEST(Program, OneWayPathsAreLiftedBetweenPassesAndRefusedWhereNoLiftCanBeSaid)
+TEST(Program, OneWayPathsAreLiftedBetweenPassesInEveryFormat)
 {
   const ScratchFolder folder;
   writeText(folder.path("ell.xyz"), ellScan());
@@ -128,12 +134,10 @@ TEST(Program, OneWayPathsAreLiftedBetweenPassesAndRefusedWhereNoLiftCanBeSaid)
     cutting = feeds;
   }
   EXPECT_EQ(cuts, 3u); // rapids between
-  for (const std::string file : {"b.apt", "b.yaml"}) {
-    const RunResult refused = called({"-o", file});
-    EXPECT_EQ(refused.code, 1);
-    expectHas(refused.err, "the path has 3 passes, and this format has no moves between them; write a .ngc or .nc, or leave --one-way out");
-    EXPECT_FALSE(std::filesystem::exists(folder.path(file)));
-  }
+  const RunResult exchanged = called({"-o", "b.apt", "-o", "b.yaml"});
+  ASSERT_EQ(exchanged.code, 0) << exchanged.err;
+  EXPECT_EQ(linesWith(readText(folder.path("b.apt")), "RAPID"), 3u * 3u); // on a plane the end of the climb is the top
+  EXPECT_EQ(linesWith(readText(folder.path("b.yaml")), "- - {x: "), 3u);  // segments
 }
 
 TEST(Program, CodesStandBeforeAndAfterThePass)

@@ -289,7 +289,7 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithACall)
                 "x_lines.png: is given twice, because it is written with another picture");
   expectRefused(call({"--spot", "4", "--stand-off", "-10"}), 2,
                 "--stand-off -10: must not be below 0 mm; for the other side of the ridge give --flip-normals");
-  expectRefused({rail, generator, "--spot", "4", "-o", "x.yaml"}, 2, "this format needs a cutter, and the tool is a beam");
+  expectRefused({rail, generator, "--spot", "4", "-o", "x.apt"}, 2, "this format needs a cutter, and the tool is a beam");
   expectRefused({rail, generator, "--spot", "4", "-o", "none/x.csv"}, 1, "none/x.csv");
   expectRefused(call({}), 2, "no option sets the distance between rows; give one of --spot, --step-over and --scallop");
   expectRefused(call({"--spot", "4", "--step-over", "3"}), 2, "more than one option sets the distance between rows");

@@ -184,6 +184,7 @@ parseAPT(const std::string& file, std::vector<std::string>& others)
 {
   std::vector<AptMove> moves;
   double feed = 0.0;
+  bool rapid = false;
   for (const std::string& line : linesOf(file)) {
     std::vector<std::string> values;
     std::istringstream stream(line.substr(std::min(line.size(), line.find('/') + 1)));
@@ -191,10 +192,15 @@ parseAPT(const std::string& file, std::vector<std::string>& others)
       values.push_back(value);
     if (line.rfind("FEDRAT/", 0) == 0)
       feed = decimal(values.at(0));
-    else if (line.rfind("GOTO/", 0) == 0)
+    else if (line == "RAPID")
+      rapid = true;
+    else if (line.rfind("GOTO/", 0) == 0) {
       moves.push_back({{decimal(values.at(0)), decimal(values.at(1)), decimal(values.at(2))},
                        {decimal(values.at(3)), decimal(values.at(4)), decimal(values.at(5))},
-                       feed});
+                       feed,
+                       rapid});
+      rapid = false;
+    }
     else
       others.push_back(line);
   }

@@ -41,10 +41,11 @@ ParsedProgram parseFanuc(const std::string& file); ///< also reads LinuxCNC prog
 ParsedProgram parseSiemens(const std::string& file);
 ParsedProgram parseHeidenhain(const std::string& file);
 
-/** One GOTO of a CLDATA file with the FEDRAT before it. */
+/** One GOTO of a CLDATA file with the FEDRAT and the RAPID before it. */
 struct AptMove {
   Eigen::Vector3d tip, axis;
   double feed;
+  bool rapid;
 };
 
 /** Locations of an APT file; other statements go to \p others. */

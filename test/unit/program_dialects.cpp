@@ -3,6 +3,7 @@
 // tests.
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
+#include <pcl_spiral/io/program_reader.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
@@ -12,7 +13,6 @@
 #include "support/test_machines.h"
 
 #include <gtest/gtest.h>
-#include <yaml-cpp/yaml.h>
 
 #include <locale>
 
@@ -186,7 +186,7 @@ TEST(ProgramDialects, NumbersDoNotDependOnTheLocale)
       writeProgram(folder.path("a.nc"), program, dialect, {"part", 12500.0, 12, 4});
       text += readText(folder.path("a.nc"));
     }
-    writeAPT(folder.path("a.apt"), poses, {"part", ballCutter(ball), 12500.0, 1500.0});
+    writeAPT(folder.path("a.apt"), ledPasses({poses}, {}), {"part", ballCutter(ball), 12500.0});
     return text + readText(folder.path("a.apt"));
   };
   const std::string plain = all();
@@ -215,66 +215,65 @@ TEST(ProgramDialects, WhatCannotBeWrittenIsNamed)
   EXPECT_EQ(folder.count(), 0U);
 }
 
-TEST(PathExchange, AptSaysTipAxisAndFeed)
+TEST(PathExchange, AptSaysTipAxisAndFeedOfEveryMove)
 {
   const ScratchFolder folder;
-  const ToolPoses poses = testPath();
-  writeAPT(folder.path("a.apt"), poses, {"dome", ballCutter(ball), 12000.0, 1500.0});
+  const ToolPoses all = testPath();
+  const std::vector<ToolPoses> passes{{all.begin() + 100, all.begin() + 400}, {all.begin() + 500, all.begin() + 900}};
+  ProgramSettings settings;
+  settings.feed = 1500.0;
+  const std::vector<ToolMoves> led = ledPasses(passes, settings);
+  writeAPT(folder.path("a.apt"), led, {"dome", ballCutter(ball), 12000.0, SpindleDirection::CounterClockwise, Coolant::Flood, 3});
   std::vector<std::string> others;
   const std::vector<AptMove> moves = parseAPT(folder.path("a.apt"), others);
-  const std::vector<std::string> expected{"PARTNO dome",
-                                          "UNITS/MM",
-                                          "MULTAX/ON",
-                                          "CUTTER/12.000000,6.000000,0.000000,6.000000,0.000000,0.000000,24.000000",
-                                          "SPINDL/12000.0,RPM,CLW",
-                                          "SPINDL/OFF",
-                                          "FINI"};
+  const std::vector<std::string> expected{"PARTNO dome",  "UNITS/MM",
+                                          "MULTAX/ON",    "CUTTER/12.000000,6.000000,0.000000,6.000000,0.000000,0.000000,24.000000",
+                                          "LOADTL/3",     "SPINDL/12000.0,RPM,CCLW",
+                                          "COOLNT/FLOOD", "COOLNT/OFF",
+                                          "SPINDL/OFF",   "FINI"};
   EXPECT_EQ(others, expected);
-  ASSERT_EQ(moves.size(), poses.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    ASSERT_LT((moves[i].tip - poses[i].tip).norm(), 2e-6);
-    ASSERT_LT(angleBetween(moves[i].axis.normalized(), poses[i].axis), 1e-8);
+  ASSERT_EQ(moves.size(), led[0].size() + led[1].size());
+  std::size_t rapids = 0;
+  for (std::size_t i = 0, k = 0; i < moves.size(); ++i) {
+    const bool second = i >= led[0].size();
+    const ToolMove& move = second ? led[1][i - led[0].size()] : led[0][i];
+    ASSERT_LT((moves[i].tip - move.pose.tip).norm(), 2e-6);
+    ASSERT_LT(angleBetween(moves[i].axis.normalized(), move.pose.axis), 1e-8);
     ASSERT_NEAR(moves[i].axis.norm(), 1.0, 1e-8);
-    if (i == 0)
+    ASSERT_EQ(moves[i].rapid, move.rapid);
+    rapids += moves[i].rapid;
+    if (move.section != BlockSection::Cut) {
+      k = 0;
+      ASSERT_TRUE(move.rapid || std::abs(moves[i].feed / 1500.0 - 1.0) < 0.011) << i;
       continue;
-    const double contact = (poses[i].contact - poses[i - 1].contact).norm(), tip = (poses[i].tip - poses[i - 1].tip).norm();
+    }
+    const ToolPoses& pass = passes[second ? 1 : 0];
+    ++k;
+    ASSERT_LT((moves[i].tip - pass[k].tip).norm(), 2e-6);
+    const double contact = (pass[k].contact - pass[k - 1].contact).norm(), tip = (pass[k].tip - pass[k - 1].tip).norm();
     ASSERT_NEAR(moves[i].feed * contact / tip / 1500.0, 1.0, 0.011) << i;
   }
+  EXPECT_EQ(rapids, 6U); // so near the pole the tool is at the top at once
+  const ProgramFile read = readProgram(folder.path("a.apt"), {});
+  ASSERT_EQ(read.program.blocks.size(), moves.size());
+  for (std::size_t i = 0; i < moves.size(); ++i)
+    ASSERT_EQ(read.program.blocks[i].rapid, moves[i].rapid);
 }
 
-TEST(PathExchange, RobotFramesAreNestedFourDeep)
+TEST(PathExchange, AptOfAProgramHasItsMoves)
 {
   const ScratchFolder folder;
-  pcl::PointCloud<ToolpathPoint> path;
-  for (const ToolPose& pose : testPath()) {
-    ToolpathPoint point;
-    point.getVector3fMap() = pose.contact.cast<float>();
-    point.getNormalVector3fMap() = pose.normal.cast<float>();
-    point.getAxisVector3fMap() = pose.axis.cast<float>();
-    path.push_back(point);
+  const MachineProgram program = programFor(testMachines()[2], testPath());
+  writeAPT(folder.path("a.apt"), {movesOf(program)}, {"dome", ballCutter(ball)});
+  std::vector<std::string> others;
+  const std::vector<AptMove> moves = parseAPT(folder.path("a.apt"), others);
+  ASSERT_EQ(moves.size(), program.blocks.size());
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    ASSERT_LT((moves[i].tip - program.blocks[i].tip).norm(), 2e-6);
+    ASSERT_LT(angleBetween(moves[i].axis.normalized(), program.blocks[i].axis), 1e-8);
+    ASSERT_EQ(moves[i].rapid, program.blocks[i].rapid);
+    const double way = i > 0 ? (moves[i].tip - moves[i - 1].tip).norm() : 0.0;
+    if (!moves[i].rapid && way > 1e-3)
+      ASSERT_NEAR(way / moves[i].feed / program.blocks[i].minutes, 1.0, 0.012) << i;
   }
-  writeRobotFrames(folder.path("a.yaml"), path);
-  const YAML::Node fragments = YAML::LoadFile(folder.path("a.yaml"));
-  ASSERT_EQ(fragments.size(), 1U);
-  ASSERT_EQ(fragments[0].size(), 1U);
-  ASSERT_EQ(fragments[0][0].size(), 1U);
-  const YAML::Node segment = fragments[0][0][0];
-  ASSERT_EQ(segment.size(), path.size());
-  std::size_t i = 0;
-  for (const YAML::Node& waypoint : segment) {
-    const auto value = [&waypoint](const char* name) { return waypoint[name].as<double>(); };
-    const Eigen::Quaterniond q(value("qw"), value("qx"), value("qy"), value("qz"));
-    ASSERT_NEAR(q.norm(), 1.0, 1e-8);
-    const Eigen::Matrix3d frame = q.normalized().toRotationMatrix();
-    const Eigen::Vector3d place(value("x"), value("y"), value("z"));
-    ASSERT_LT((1000.0 * place - path[i].getVector3fMap().cast<double>()).norm(), 2e-6);
-    ASSERT_LT(angleBetween(frame.col(2), path[i].getNormalVector3fMap().cast<double>().normalized()), 1e-6);
-    if (i + 1 < path.size()) {
-      const Eigen::Vector3d travel = (path[i + 1].getVector3fMap() - path[i].getVector3fMap()).cast<double>().normalized();
-      ASSERT_GT(frame.col(0).dot(travel), 0.99) << i;
-      ASSERT_NEAR(frame.col(1).dot(travel), 0.0, 1e-4);
-    }
-    ++i;
-  }
-  EXPECT_EQ(i, path.size());
 }

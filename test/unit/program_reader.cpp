@@ -20,9 +20,9 @@ namespace {
 
 constexpr double ball = 6.0;
 
-/** Two passes on a dome. */
+/** Two passes on a dome; by a link from one to the other if it is not longer than \p stay_down. */
 MachineProgram
-programFor(const Machine& machine)
+programFor(const Machine& machine, double stay_down = 0.0)
 {
   ToolPoses far = domeSpiral(200.0, 2.0, 8, 60, ball, 13.0);
   far.erase(far.begin(), far.begin() + 200);
@@ -32,6 +32,7 @@ programFor(const Machine& machine)
   ProgramSettings settings;
   settings.ball_radius = ball;
   settings.lead = LeadKind::Arc;
+  settings.stay_down = stay_down;
   generator.setSettings(settings);
   MachineProgram program;
   generator.compute(program);
@@ -53,7 +54,8 @@ expectMoves(const ProgramFile& read, const MachineProgram& program, const std::s
     ASSERT_LT((a.tip - b.tip).norm(), 1e-3) << what << ", line " << read.lines[i + shift];
     ASSERT_LT((a.axis - b.axis).norm(), 2e-5) << what << ", line " << read.lines[i + shift];
     ASSERT_EQ(a.rapid, b.rapid) << what;
-    ASSERT_EQ(a.section == BlockSection::Cut, !b.rapid) << what;
+    ASSERT_EQ(a.section == BlockSection::Link, b.section == BlockSection::Link) << what;
+    ASSERT_EQ(a.section == BlockSection::Cut, !b.rapid && b.section != BlockSection::Link) << what;
     if (!b.rapid)
       ASSERT_NEAR(a.minutes / b.minutes, 1.0, 0.01) << what << ", line " << read.lines[i + shift];
     ASSERT_TRUE(i == 0 || read.lines[i + shift] > read.lines[i + shift - 1]) << what;
@@ -113,11 +115,33 @@ TEST(ProgramReader, EveryLanguageIsReadBackForEveryMachine)
     }
 }
 
+TEST(ProgramReader, LinksBetweenPassesAreKnownByTheirMarks)
+{
+  const ScratchFolder folder;
+  for (const Machine& machine : testMachines()) {
+    const MachineProgram program = programFor(machine, 60.0);
+    ASSERT_EQ(program.report.links, 1U);
+    for (const DialectEntry& entry : dialect_entries) {
+      const std::string file = folder.path("part.nc");
+      writeProgram(file, program, entry.dialect, {"part", 12000.0, 3, 4, "M62 P0", "M63 P0"});
+      expectMoves(readProgram(file, machine, entry.dialect), program, machine.name + " " + entry.word);
+    }
+    writeAPT(folder.path("a.apt"), {movesOf(program)}, {"part", ballCutter(ball), 0.0});
+    const ProgramFile read = readProgram(folder.path("a.apt"), machine);
+    ASSERT_EQ(read.program.blocks.size(), program.blocks.size());
+    for (std::size_t i = 0; i < program.blocks.size(); ++i)
+      ASSERT_EQ(read.program.blocks[i].section == BlockSection::Link, program.blocks[i].section == BlockSection::Link);
+  }
+}
+
 TEST(ProgramReader, AptIsReadBackWithAndWithoutAMachine)
 {
   const ScratchFolder folder;
   const ToolPoses poses = domeSpiral(200.0, 2.0, 5, 60, ball, 13.0);
-  writeAPT(folder.path("a.apt"), poses, {"dome", ballCutter(ball), 12000.0, 1500.0});
+  ToolMoves moves;
+  for (const ToolPose& pose : poses)
+    moves.push_back({BlockSection::Cut, false, pose, 0.0});
+  writeAPT(folder.path("a.apt"), {moves}, {"dome", ballCutter(ball), 12000.0});
   for (const std::optional<Machine>& machine : {std::optional<Machine>(), std::optional(testMachines()[2])}) {
     const ProgramFile read = readProgram(folder.path("a.apt"), machine);
     EXPECT_EQ(read.language, "apt");

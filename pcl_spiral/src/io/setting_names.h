@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/drive/drive_settings.h>
 #include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/ridge/ridge_rows.h>
@@ -98,6 +99,10 @@ struct ChoiceNames<Dialect> {
 template <>
 struct ChoiceNames<LeadKind> {
   static constexpr std::array<std::pair<LeadKind, const char*>, 2> words{{{LeadKind::Normal, "normal"}, {LeadKind::Arc, "arc"}}};
+};
+template <>
+struct ChoiceNames<RobotZ> {
+  static constexpr std::array<std::pair<RobotZ, const char*>, 2> words{{{RobotZ::Axis, "axis"}, {RobotZ::Normal, "normal"}}};
 };
 template <>
 struct ChoiceNames<SpindleDirection> {

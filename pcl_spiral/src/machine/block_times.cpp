@@ -9,32 +9,13 @@ namespace {
 
 constexpr double largest_step = 0.05; ///< of a rotary axis between two looks at the linear axes, radians
 
-double
-feedOf(const ProgramSettings& settings, BlockSection section)
-{
-  const auto own = [&](double feed) { return feed > 0.0 ? feed : settings.feed; };
-  switch (section) {
-  case BlockSection::Approach:
-    return own(settings.plunge_feed);
-  case BlockSection::LeadIn:
-  case BlockSection::LeadOut:
-  case BlockSection::Retract:
-    return own(settings.lead_feed);
-  case BlockSection::Link:
-    return own(settings.link_feed);
-  default:
-    return settings.feed;
-  }
-}
-
 /** The way that the feed counts in a block; see setBlockTimes. */
 double
-countedWay(const ProgramBlock& a, const ProgramBlock& b, double ball_radius)
+wayOfBlock(const ProgramBlock& a, const ProgramBlock& b, double ball_radius)
 {
   const Eigen::Vector3d tip = b.tip - a.tip;
   const double tool = std::max(tip.norm(), (tip + ball_radius * (b.axis - a.axis)).norm());
-  const double contact = b.arc_length - a.arc_length;
-  return contact > 0.0 ? std::clamp(contact, tool / tool_way, tool * tool_way) : tool;
+  return countedWay(b.arc_length - a.arc_length, tool);
 }
 
 /** Speed of the linear axes at share \p s of the block, in blocks. */
@@ -72,6 +53,37 @@ axisTime(const Kinematics& kinematics, const ProgramBlock& a, const ProgramBlock
 
 } // namespace
 
+double
+feedOf(const ProgramSettings& settings, BlockSection section)
+{
+  const auto own = [&](double feed) { return feed > 0.0 ? feed : settings.feed; };
+  switch (section) {
+  case BlockSection::Approach:
+    return own(settings.plunge_feed);
+  case BlockSection::LeadIn:
+  case BlockSection::LeadOut:
+  case BlockSection::Retract:
+    return own(settings.lead_feed);
+  case BlockSection::Link:
+    return own(settings.link_feed);
+  default:
+    return settings.feed;
+  }
+}
+
+double
+countedWay(double contact, double tool)
+{
+  return contact > 0.0 ? std::clamp(contact, tool / tool_way, tool * tool_way) : tool;
+}
+
+double
+moveMinutes(const Kinematics& kinematics, const ProgramSettings& settings, const ProgramBlock& a, const ProgramBlock& b)
+{
+  const double at_feed = b.rapid ? 0.0 : wayOfBlock(a, b, settings.ball_radius) / feedOf(settings, b.section);
+  return std::max(at_feed, axisTime(kinematics, a, b));
+}
+
 void
 setBlockTimes(const Kinematics& kinematics, const ProgramSettings& settings, MachineProgram& program)
 {
@@ -84,7 +96,7 @@ setBlockTimes(const Kinematics& kinematics, const ProgramSettings& settings, Mac
     ProgramBlock& block = program.blocks[i];
     if (block.rapid)
       continue;
-    const double at_feed = countedWay(before, block, settings.ball_radius) / feedOf(settings, block.section);
+    const double at_feed = wayOfBlock(before, block, settings.ball_radius) / feedOf(settings, block.section);
     const double needed = axisTime(kinematics, before, block);
     block.minutes = std::max(at_feed, needed);
     report.minutes += block.minutes;

@@ -12,6 +12,15 @@ namespace pcl_spiral {
 /** The tool moves by at least 1 / tool_way, and at most tool_way, of the way that the feed counts. */
 constexpr double tool_way = 2.0;
 
+/** The feed of moves of \p section, mm/min. */
+double feedOf(const ProgramSettings& settings, BlockSection section);
+
+/** The way that the feed counts for a move of the contact by \p contact and of the tool by \p tool mm: w of setBlockTimes. */
+double countedWay(double contact, double tool);
+
+/** The time of the move from \p a to \p b: at its feed, or as the slowest axis needs, which alone counts for a rapid. */
+double moveMinutes(const Kinematics& kinematics, const ProgramSettings& settings, const ProgramBlock& a, const ProgramBlock& b);
+
 /** Sets the minutes of every feed block and the totals in the report.
  *
  *  Let c, t, o be the ways of the contact, the tip and the ball's centre in the block (mm; o = t without a ball radius), m = max(t, o),

@@ -2,6 +2,7 @@
 #include "block_times.h"
 #include "half_turn.h"
 #include "limit_check.h"
+#include "stay_down_links.h"
 #include "tiny_moves.h"
 #include "tool_leads.h"
 #include "turn_passes.h"
@@ -57,27 +58,25 @@ samePose(const ProgramBlock& a, const ProgramBlock& b)
 }
 
 void
-addPass(const Kinematics& kinematics, const ToolLeads& leads, const MachineLocations& path, const TurnPass& pass,
-        std::vector<ProgramBlock>& blocks)
+addPass(const Kinematics& kinematics, const ProgramSettings& settings, const ToolLeads& leads, const MachineLocations& path,
+        const TurnPass& pass, std::size_t number, bool may_link, MachineProgram& program)
 {
+  std::vector<ProgramBlock>& blocks = program.blocks;
   const auto located = [&](std::size_t i) {
     MachineLocation location = path[i];
     location.angles.first += pass.shift;
     return location;
   };
-  const std::vector<ProgramBlock> entry = leads.entry(located(pass.first), travelAt(path, pass.first, true));
-  const bool at_top = !blocks.empty();
-  if (at_top) {
-    const std::vector<ProgramBlock> turn = leads.unwinding(blocks.back(), entry.front().angles.first);
-    blocks.insert(blocks.end(), turn.begin(), turn.end());
-  }
-  blocks.insert(blocks.end(), entry.begin(), entry.end());
+  const std::size_t first =
+      addEntry(kinematics, settings, leads, leads.entry(located(pass.first), travelAt(path, pass.first, true)), may_link, program);
   for (std::size_t i = pass.first + 1; i <= pass.last; ++i) {
     const MachineLocation at = located(i);
     blocks.push_back(blockTo(kinematics, at.pose.tip, at, BlockSection::Cut, false));
   }
   const std::vector<ProgramBlock> exit = leads.exit(located(pass.last), travelAt(path, pass.last, false));
   blocks.insert(blocks.end(), exit.begin(), exit.end());
+  for (std::size_t i = first; i < blocks.size(); ++i)
+    blocks[i].pass = number;
 }
 
 /** Angles, blocks and runs of the pass after \p before; its arc lengths and turns continue from there. */
@@ -227,6 +226,7 @@ MachineProgramGenerator::check() const
                 "it must not be below 0"),
         require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length, "it must be above 0 mm"),
         require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance, "it must be above 0 mm"),
+        require(s.stay_down >= 0.0 && std::isfinite(s.stay_down), "largest length of links", s.stay_down, "it must not be below 0 mm"),
         require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height, "it must be above 0 mm"),
         require(s.clear_box.isEmpty() || s.clear_box.sizes().allFinite(), "size of the box to clear", s.clear_box.sizes().maxCoeff(),
                 "it must be finite")})
@@ -258,11 +258,14 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
   for (int corner = 0; corner < 8 && !settings_.clear_box.isEmpty(); ++corner)
     top = std::max(top, settings_.clear_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).dot(up));
   const ToolLeads leads(kinematics, settings_, up, top + settings_.rapid_height);
-  for (const MachinePass& pass : passes)
-    for (const TurnPass& turn : pass.turns) {
+  for (std::size_t k = 0; k < passes.size(); ++k)
+    for (const TurnPass& turn : passes[k].turns) {
       if (turn.first > 0)
-        program.report.unwound_at.push_back(pass.path[turn.first].arc_length);
-      addPass(kinematics, leads, pass.path, turn, program.blocks);
+        program.report.unwound_at.push_back(passes[k].path[turn.first].arc_length);
+      const bool asked = settings_.stay_down > 0.0 && k > 0 && turn.first == 0;
+      const bool blocked = asked && std::find(retracted_.begin(), retracted_.end(), k) != retracted_.end();
+      program.report.blocked_links += blocked;
+      addPass(kinematics, settings_, leads, passes[k].path, turn, k, asked && !blocked, program);
     }
   program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), samePose), program.blocks.end());
   addRetracts(kinematics, program.blocks);

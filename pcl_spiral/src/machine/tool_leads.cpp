@@ -28,69 +28,35 @@ blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineL
   return block;
 }
 
-/** From the far end of the lead to the path; \p inward is the direction of travel onto
- *  the path. */
-std::vector<Eigen::Vector3d>
-ToolLeads::leadTips(const MachineLocation& at, const Eigen::Vector3d& inward) const
+std::vector<ProgramBlock>
+ToolLeads::blocksOf(const std::vector<LeadPlace>& places, const MachineLocation& at) const
 {
-  const Eigen::Vector3d& normal = at.pose.normal;
-  const Eigen::Vector3d along = inward - inward.dot(normal) * normal;
-  const double radius = settings_.lead_length;
-  if (settings_.lead == LeadKind::Normal || along.norm() < 1e-9)
-    return {at.pose.tip + radius * normal, at.pose.tip};
-  // Sagitta of a step: radius (1 - cos(step / 2)).
-  const double share = std::min(1.0, settings_.block.tip / radius);
-  const int steps = std::max(4, static_cast<int>(std::ceil(quarter_turn / (2.0 * std::acos(1.0 - share)))));
-  std::vector<Eigen::Vector3d> tips;
-  for (int i = 0; i <= std::min(steps, 1000); ++i) {
-    const double angle = quarter_turn * (1.0 - static_cast<double>(i) / std::min(steps, 1000));
-    tips.push_back(at.pose.tip + radius * ((1.0 - std::cos(angle)) * normal - std::sin(angle) * along.normalized()));
-  }
-  return tips;
+  std::vector<ProgramBlock> blocks;
+  blocks.reserve(places.size());
+  for (const LeadPlace& place : places)
+    blocks.push_back(blockTo(kinematics_, place.tip, at, place.section, place.rapid));
+  return blocks;
 }
 
-/** Along the tool axis to the clearance, on to the rapid height, then up to the top. */
-std::vector<Eigen::Vector3d>
-ToolLeads::climb(const Eigen::Vector3d& from, const Eigen::Vector3d& axis) const
+/** The pose at \p at, with the tool axis as the machine holds it. */
+ToolPose
+ToolLeads::poseOf(const MachineLocation& at) const
 {
-  const Eigen::Vector3d clear = from + settings_.clearance * axis;
-  const Eigen::Vector3d high = clear + settings_.rapid_height * axis;
-  return {clear, high, high + std::max(0.0, top_ - high.dot(up_)) * up_};
+  ToolPose pose = at.pose;
+  pose.axis = kinematics_.toolAxis(at.angles);
+  return pose;
 }
 
 std::vector<ProgramBlock>
 ToolLeads::entry(const MachineLocation& at, const Eigen::Vector3d& travel) const
 {
-  const std::vector<Eigen::Vector3d> lead = leadTips(at, travel);
-  const std::vector<Eigen::Vector3d> way = climb(lead.front(), kinematics_.toolAxis(at.angles));
-  std::vector<ProgramBlock> blocks;
-  const auto add = [&](const Eigen::Vector3d& tip, BlockSection section, bool rapid) {
-    blocks.push_back(blockTo(kinematics_, tip, at, section, rapid));
-  };
-  add(way[2], BlockSection::Position, true);
-  add(way[1], BlockSection::Approach, true);
-  add(way[0], BlockSection::Approach, true);
-  add(lead.front(), BlockSection::Approach, false);
-  for (std::size_t i = 1; i < lead.size(); ++i)
-    add(lead[i], BlockSection::LeadIn, false);
-  return blocks;
+  return blocksOf(ways_.entry(poseOf(at), travel), at);
 }
 
 std::vector<ProgramBlock>
 ToolLeads::exit(const MachineLocation& at, const Eigen::Vector3d& travel) const
 {
-  const std::vector<Eigen::Vector3d> lead = leadTips(at, -travel);
-  std::vector<ProgramBlock> blocks;
-  const auto add = [&](const Eigen::Vector3d& tip, BlockSection section, bool rapid) {
-    blocks.push_back(blockTo(kinematics_, tip, at, section, rapid));
-  };
-  for (std::size_t i = lead.size() - 1; i-- > 0;)
-    add(lead[i], BlockSection::LeadOut, false);
-  const std::vector<Eigen::Vector3d> way = climb(lead.front(), kinematics_.toolAxis(at.angles));
-  add(way[0], BlockSection::Retract, false);
-  add(way[1], BlockSection::Retract, true);
-  add(way[2], BlockSection::Retract, true);
-  return blocks;
+  return blocksOf(ways_.exit(poseOf(at), travel), at);
 }
 
 std::vector<ProgramBlock>

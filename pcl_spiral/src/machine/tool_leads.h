@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "lead_ways.h"
+
 #include <pcl_spiral/machine/impl/rotary_path.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
@@ -14,7 +16,7 @@ class ToolLeads {
 public:
   /** \p top: height above the workpiece zero along \p up that is clear of everything. */
   ToolLeads(const Kinematics& kinematics, const ProgramSettings& settings, const Eigen::Vector3d& up, double top)
-  : kinematics_(kinematics), settings_(settings), up_(up), top_(top)
+  : kinematics_(kinematics), settings_(settings), ways_(settings, up, top)
   {}
 
   /** From the top down to the path at \p at, which continues along \p travel; the blocks end there. */
@@ -25,13 +27,12 @@ public:
   std::vector<ProgramBlock> unwinding(const ProgramBlock& at, double to) const;
 
 private:
-  std::vector<Eigen::Vector3d> leadTips(const MachineLocation& at, const Eigen::Vector3d& inward) const;
-  std::vector<Eigen::Vector3d> climb(const Eigen::Vector3d& from, const Eigen::Vector3d& axis) const;
+  std::vector<ProgramBlock> blocksOf(const std::vector<LeadPlace>& places, const MachineLocation& at) const;
+  ToolPose poseOf(const MachineLocation& at) const;
 
   const Kinematics& kinematics_;
   const ProgramSettings& settings_;
-  Eigen::Vector3d up_;
-  double top_;
+  LeadWays ways_;
 };
 
 /** The block to \p tip with the angles of \p at. */

@@ -155,10 +155,12 @@ findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const
   }
   figures.moves = moves.size();
   for (const LeadCollision& collision : found) {
-    figures.collided += collision.depth > 0.0;
+    if (collision.depth > 0.0)
+      figures.blocks.push_back(collision.block);
     if (collision.depth > figures.deepest.depth)
       figures.deepest = collision;
   }
+  figures.collided = figures.blocks.size();
   return Status::success();
 }
 

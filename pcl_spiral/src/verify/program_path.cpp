@@ -12,7 +12,7 @@ namespace {
 
 constexpr double least_slope = 0.02; // of a lead against the surface
 
-/** Poses of the feed moves, one run after the other. */
+/** Poses of the moves that may cut, one run after the other. */
 struct SampledRuns {
   ToolPoses poses;
   std::vector<std::size_t> blocks;                         ///< of each pose; a run begins with the end of the block before it
@@ -30,9 +30,9 @@ sampledRuns(const MachineProgram& program, const ProgramPathSettings& settings)
     runs.blocks.push_back(block);
   };
   for (std::size_t i = 1; i < program.blocks.size(); ++i) {
-    if (program.blocks[i].rapid)
+    if (!mayCut(program.blocks[i]))
       continue;
-    if (i == 1 || program.blocks[i - 1].rapid) {
+    if (i == 1 || !mayCut(program.blocks[i - 1])) {
       runs.ranges.emplace_back(runs.poses.size(), 0);
       add(poseOf(program.blocks[i - 1]), i - 1);
     }
@@ -135,6 +135,12 @@ private:
 };
 
 } // namespace
+
+bool
+mayCut(const ProgramBlock& block)
+{
+  return !block.rapid && block.section != BlockSection::Link;
+}
 
 ProgramPath
 programPath(const ReferenceSurface& reference, const ProgramPathSettings& settings, MachineProgram& program)

@@ -26,6 +26,9 @@ struct ProgramPathSettings {
   bool axis_arcs = false;  ///< see ProgramFile
 };
 
+/** Whether the move to \p block may be a cut: at feed, and not marked as a link. */
+bool mayCut(const ProgramBlock& block);
+
 /** The feed moves of a program that cut, as a path. */
 struct ProgramPath {
   pcl::PointCloud<ToolpathPoint> path; ///< contacts; a lift between passes adds no arc length, turn is the number of the pass
@@ -34,9 +37,9 @@ struct ProgramPath {
   std::size_t passes = 0;
 };
 
-/** Moves the cutter along \p program and finds its contacts with the scan. A run of feed moves between rapids is a pass. Blocks at its
- *  begin that come down to the surface, or are in the air, are leads, and so at its end. \p program: sections of leads become LeadIn and
- *  LeadOut. */
+/** Moves the cutter along \p program and finds its contacts with the scan. A run of feed moves between rapids or links is a pass. Blocks
+ *  at its begin that come down to the surface, or are in the air, are leads, and so at its end. \p program: sections of leads become
+ *  LeadIn and LeadOut. */
 ProgramPath programPath(const ReferenceSurface& reference, const ProgramPathSettings& settings, MachineProgram& program);
 
 } // namespace pcl_spiral

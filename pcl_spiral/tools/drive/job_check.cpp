@@ -47,8 +47,8 @@ requireMeant(const Job& job)
   require("one-way", kind == DriveKind::Planes || kind == DriveKind::Rings, is);
   require("step-over", kind != DriveKind::Curve, is);
   require("scallop", kind != DriveKind::Curve, is);
-  require("accept-collisions", !job.holder.empty() || hasProgram(job.program, job.outputs),
-          "without a --holder or a program as output it does nothing; leave it out");
+  require("accept-collisions", !job.holder.empty() || hasLeads(job.program, job.outputs),
+          "without a --holder, or a program, CLDATA or robot frames as output, it does nothing; leave it out");
 }
 
 /** Sets the step-over from --scallop, and rows that keep it: the default where they can. */

@@ -41,7 +41,7 @@ writeOutputs(const Job& job, const Result& result, OutputFiles& files)
 {
   PictureFiles pictures;
   const std::vector<PictureKind> kinds{PictureKind::Passes, PictureKind::Rotary};
-  writeAll(job, result, "use a drive path of one pass (--drive helix, curve)", files, [&](const std::string& output, std::size_t& next) {
+  writeAll(job, files, [&](const std::string& output, std::size_t& next) {
     const std::string extension = extensionOf(output);
     if ((extension == ".png" || extension == ".html") && pictures.forReport(kinds).empty())
       draw(job, result, pictures);

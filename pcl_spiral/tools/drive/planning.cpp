@@ -103,7 +103,7 @@ plan(const Job& job)
     bar.update(0.0, "reading " + job.scan);
     readMeshPart(job, result);
     clock.end("mesh");
-    if (hasProgram(job.program, job.outputs) || job.drive.goesRound()) {
+    if (hasLeads(job.program, job.outputs) || job.drive.goesRound()) {
       sampleMesh(job, result);
       clock.end("samples");
     }

@@ -73,7 +73,7 @@ checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vec
         known += kind + " ";
       throw UsageError("-o " + file + ": extension '" + extension + "' is not known; use " + known + "or .png");
     }
-    if (!isBall(job) && (extension == ".pcd" || extension == ".ply" || extension == ".yaml"))
+    if (!isBall(job) && (extension == ".pcd" || extension == ".ply"))
       throw UsageError("-o " + file +
                        ": this format holds contacts, and only for a ball do they give the tips; write the path of this "
                        "tool as .csv, .vtp, .6d or a program");

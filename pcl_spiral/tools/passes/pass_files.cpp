@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_files.h"
 
+#include "program/exchange_files.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
@@ -16,6 +17,17 @@
 #include <stdexcept>
 
 using namespace pcl_spiral;
+
+namespace {
+
+/** The cutter of a job in CLDATA; nothing for a beam, which only robot frames take. */
+AptCutter
+exchangeCutter(const PassJob& job)
+{
+  return job.cutter.radius > 0.0 ? aptCutter(CutterProfile(job.cutter)) : AptCutter();
+}
+
+} // namespace
 
 bool
 isPassFile(const std::string& output)
@@ -75,25 +87,16 @@ writePassFile(const PassJob& job, const PassResult& result, const std::string& t
     return writePoseVectors(file, result.passes);
   if (extension == ".5d")
     return writePoseAngles(file, result.passes);
+  if (isExchange(output))
+    return writeExchange(job.program, {title, exchangeCutter(job), result.moves}, result.program, output, file);
   ToolpathMotion motion;
   const pcl::PointCloud<ToolpathPoint> path = joinedPasses(job, result, motion);
-  if (extension == ".yaml")
-    return writeRobotFrames(file, path);
-  if (isExchange(output)) {
-    ToolPoses poses;
-    for (const ToolPoses& pass : result.passes)
-      poses.insert(poses.end(), pass.begin(), pass.end());
-    return writeAPT(file, poses, {title, aptCutter(CutterProfile(job.cutter)), job.program.header.spindle_speed, job.feed});
-  }
   writeToolpath(file, path, motion);
 }
 
 void
-writeAll(const PassJob& job, const PassResult& result, const std::string& one_pass, OutputFiles& files,
-         const std::function<void(const std::string& output, std::size_t& next)>& write)
+writeAll(const PassJob& job, OutputFiles& files, const std::function<void(const std::string& output, std::size_t& next)>& write)
 try {
-  for (const std::string& output : job.outputs)
-    requireOnePass(result.passes.size(), output, one_pass);
   std::size_t next = 0;
   for (const std::string& output : job.outputs) {
     if (cancelled())

@@ -26,7 +26,6 @@ void writePassFile(const PassJob& job, const PassResult& result, const std::stri
                    const std::string& file);
 
 /** Calls \p write for every output, with its name and the number of its first file in \p files, which \p write increases. Then
- *  renames all files to their final names. \p one_pass: the remedy if a format holds a single pass. \throw std::runtime_error,
- *  Cancelled: then no output has changed */
-void writeAll(const PassJob& job, const PassResult& result, const std::string& one_pass, pcl_spiral::OutputFiles& files,
+ *  renames all files to their final names. \throw std::runtime_error, Cancelled: then no output has changed */
+void writeAll(const PassJob& job, pcl_spiral::OutputFiles& files,
               const std::function<void(const std::string& output, std::size_t& next)>& write);

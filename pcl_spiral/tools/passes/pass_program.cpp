@@ -3,8 +3,10 @@
 
 #include "free_passes.h"
 #include "pass_check.h"
+#include "program/exchange_files.h"
 #include "program/free_leads.h"
 #include "program/machine_moves.h"
+#include "program/stay_down.h"
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
@@ -34,21 +36,47 @@ requireSteadyBeam(const PassJob& job, const MachineProgram& program)
                                    std::string(1, program.machine.rotary[0].letter)));
 }
 
+LedTool
+ledTool(const PassJob& job, const PassResult& result)
+{
+  return {job.cutter, job.holder, job.holder_clearance, job.tolerance + result.locations.noise_allowance, job.threads};
+}
+
+/** The leads of a cutter are clear of the scan. */
+void
+requireFree(const PassJob& job, const MachineProgram& program, PassResult& result)
+{
+  if (!(job.cutter.radius > 0.0) || !result.whole_scan)
+    return;
+  requireFreeLeads(job.part, result.whole_scan, ledTool(job, result), program, job.program.accept_collisions, job.quiet, result.warnings);
+}
+
 } // namespace
 
 void
 addProgram(const PassJob& job, const Machine& machine, PassResult& result)
 {
-  result.program = makeProgram(job.program, machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, result.warnings);
+  std::vector<std::string> warnings;
+  const auto make = [&](const std::vector<std::size_t>& retracted) {
+    warnings.clear();
+    return makeProgram(job.program, machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, retracted, warnings);
+  };
+  result.program = linkedProgram(job.program, make, job.part, result.whole_scan, ledTool(job, result));
+  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   if (job.cutter.radius > 0.0)
     for (const std::string& warning : spindleWarnings(job.program, machine, job.outputs))
       result.warnings.push_back(warning);
   else
     requireSteadyBeam(job, *result.program);
-  if (!(job.cutter.radius > 0.0) || !result.whole_scan)
-    return;
-  requireFreeLeads(job.part, result.whole_scan,
-                   {job.cutter, job.holder, job.holder_clearance, job.tolerance + result.locations.noise_allowance, job.threads},
-                   *result.program, job.program.accept_collisions, job.quiet, result.warnings);
-  requireFreeProgram(job, result);
+  requireFree(job, *result.program, result);
+  if (job.cutter.radius > 0.0 && result.whole_scan)
+    requireFreeProgram(job, result);
+}
+
+void
+addMoves(const PassJob& job, PassResult& result)
+{
+  result.moves = exchangeMoves(job.program, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes);
+  if (!result.program)
+    requireFree(job, programOf(result.moves), result);
 }

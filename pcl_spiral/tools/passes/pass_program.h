@@ -14,6 +14,10 @@
  *  \throw pcl_spiral::FileError, Cancelled */
 void addProgram(const PassJob& job, const pcl_spiral::Machine& machine, PassResult& result);
 
+/** Adds leads to the passes for CLDATA and robot frames. They do not touch the scan, either; if there is a program, its own leads have been
+ *  checked. \throw pcl_spiral::FileError, Cancelled */
+void addMoves(const PassJob& job, PassResult& result);
+
 /** Nothing: passes are judged by a run of pcl_spiral_verify. */
 inline void
 judge(const PassJob&, PassResult&)

@@ -55,8 +55,12 @@ addPasses(const PassResult& result, Json& report)
   report["warnings"] = inScan(result.warnings);
   report["shift"] = {scanShift().x(), scanShift().y(), scanShift().z()};
   if (result.program)
-    report["machine"] = {
-        {"name", result.program->machine.name}, {"blocks", result.program->blocks.size()}, {"minutes", result.program->report.minutes}};
+    report["machine"] = {{"name", result.program->machine.name},
+                         {"blocks", result.program->blocks.size()},
+                         {"minutes", result.program->report.minutes},
+                         {"links", result.program->report.links},
+                         {"blocked_links", result.program->report.blocked_links},
+                         {"saved_way", result.program->report.saved_way}};
 }
 
 void

@@ -11,6 +11,7 @@
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/machine/machine_program.h>
+#include <pcl_spiral/machine/tool_moves.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <optional>
@@ -34,6 +35,7 @@ struct PassResult {
   std::vector<pcl_spiral::StageCost> stages;
   std::vector<std::string> warnings;
   std::optional<pcl_spiral::MachineProgram> program; ///< if a machine is given
+  std::vector<pcl_spiral::ToolMoves> moves;          ///< with leads, if an output is CLDATA or has robot frames
 
   std::size_t poseCount() const
   {

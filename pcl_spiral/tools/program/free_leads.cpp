@@ -21,6 +21,8 @@ wayOf(BlockSection section)
     return "on its way down to the path";
   case BlockSection::LeadIn:
     return "in its lead to the path";
+  case BlockSection::Link:
+    return "on its link to the next pass";
   case BlockSection::LeadOut:
     return "in its lead off the path";
   case BlockSection::Retract:
@@ -51,11 +53,9 @@ collisionText(const LedTool& tool, const LeadCollision& collision)
                 ", the tip at ", placeText(collision.tip));
 }
 
-void
-requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool,
-                 const MachineProgram& program, bool accepted, bool quiet, std::vector<std::string>& warnings)
+LeadCheck<pcl::PointXYZ>
+leadCheckOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool)
 {
-  ProgressBar bar(quiet);
   LeadCheck<pcl::PointXYZ> check;
   check.setInputCloud(scan);
   check.setCutter(tool.cutter);
@@ -64,6 +64,15 @@ requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointX
   check.setTolerance(tool.tolerance);
   check.setLargestEcho(largest_echo);
   check.setNumberOfThreads(tool.threads);
+  return check;
+}
+
+void
+requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool,
+                 const MachineProgram& program, bool accepted, bool quiet, std::vector<std::string>& warnings)
+{
+  ProgressBar bar(quiet);
+  LeadCheck<pcl::PointXYZ> check = leadCheckOf(scan, tool);
   check.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   check.compute(program);
   bar.clear();

@@ -8,7 +8,7 @@
 
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/tool_holder.h>
-#include <pcl_spiral/verify/figures.h>
+#include <pcl_spiral/verify/lead_check.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -24,6 +24,9 @@ struct LedTool {
   double tolerance = 0.05;
   unsigned int threads = 0;
 };
+
+/** A check of \p scan for \p tool. */
+pcl_spiral::LeadCheck<pcl::PointXYZ> leadCheckOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool);
 
 /** What \p tool would do at the place of \p collision: which part of it, how deep, where. */
 std::string collisionText(const LedTool& tool, const pcl_spiral::LeadCollision& collision);

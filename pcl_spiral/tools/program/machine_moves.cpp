@@ -69,7 +69,7 @@ machineOf(const ProgramJob& program, const std::vector<std::string>& outputs)
 
 MachineProgram
 makeProgram(const ProgramJob& job, const Machine& machine, double feed, double ball_radius, const std::vector<ToolPoses>& passes,
-            std::vector<std::string>& warnings)
+            const std::vector<std::size_t>& retracted, std::vector<std::string>& warnings)
 {
   MachineProgramGenerator generator;
   generator.setMachine(machine);
@@ -78,6 +78,7 @@ makeProgram(const ProgramJob& job, const Machine& machine, double feed, double b
   settings.ball_radius = ball_radius;
   generator.setSettings(settings);
   generator.setInputPasses(passes);
+  generator.setRetractedPasses(retracted);
   MachineProgram program;
   generator.compute(program);
   if (!generator.getStatus().ok())
@@ -129,6 +130,9 @@ printProgram(const MachineProgram& program)
   const ProgramReport& report = program.report;
   std::printf("program         %s: %zu blocks, %zu added, %zu left out, %s at feed\n", program.machine.name.c_str(), program.blocks.size(),
               report.split_blocks, report.thinned_poses, duration(60.0 * report.minutes).c_str());
+  if (report.links + report.blocked_links > 0)
+    std::printf("links           %zu near the surface, %zu not free: the tool retracts; %.3g m and %s saved\n", report.links,
+                report.blocked_links, report.saved_way / 1000.0, duration(60.0 * report.saved_minutes).c_str());
   if (program.machine.three_axes)
     return;
   const auto& [first, second] = program.machine.rotary;

@@ -17,9 +17,10 @@ pcl_spiral::Machine machineOf(const ProgramJob& program);
 std::optional<pcl_spiral::Machine> machineOf(const ProgramJob& program, const std::vector<std::string>& outputs);
 
 /** Makes the program of the passes on \p machine and adds its warnings to \p warnings. \p ball_radius: 0 for other
- *  cutters. \throw pcl_spiral::FileError if the machine cannot make the moves */
+ *  cutters. \p retracted: the passes to which no link goes. \throw pcl_spiral::FileError if the machine cannot make the moves */
 pcl_spiral::MachineProgram makeProgram(const ProgramJob& job, const pcl_spiral::Machine& machine, double feed, double ball_radius,
-                                       const std::vector<pcl_spiral::ToolPoses>& passes, std::vector<std::string>& warnings);
+                                       const std::vector<pcl_spiral::ToolPoses>& passes, const std::vector<std::size_t>& retracted,
+                                       std::vector<std::string>& warnings);
 
 /** What a program says of its path: comments, and the chord error to which the control may round corners, mm. */
 struct ProgramTexts {

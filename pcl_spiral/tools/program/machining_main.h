@@ -5,6 +5,7 @@
 #pragma once
 
 #include "machine_moves.h"
+#include "program_check.h"
 #include "report/picture_files.h"
 #include "terminal/program_main.h"
 #include "terminal/scan_places.h"
@@ -18,8 +19,8 @@
 #include <optional>
 #include <string>
 
-/** Turns a job into files with the program's own filesOf, plan, addProgram, judge, warningsOf, writeOutputs and printSummary, found by the
- *  type of its job. */
+/** Turns a job into files with the program's own filesOf, plan, addProgram, addMoves, judge, warningsOf, writeOutputs and printSummary,
+ *  found by the type of its job. */
 template <typename Job>
 void
 runMachining(const std::string& name, const Job& job)
@@ -34,6 +35,8 @@ runMachining(const std::string& name, const Job& job)
   auto result = plan(job);
   if (machine)
     addProgram(job, *machine, result);
+  if (hasExchange(job.outputs))
+    addMoves(job, result);
   judge(job, result);
   if (!job.quiet)
     for (const std::string& warning : warningsOf(result))

@@ -67,18 +67,22 @@ isExchange(const std::string& output)
   return extension == ".apt" || extension == ".cls" || extension == ".yaml";
 }
 
-void
-requireOnePass(std::size_t passes, const std::string& output, const std::string& remedy)
+bool
+hasExchange(const std::vector<std::string>& outputs)
 {
-  if (isExchange(output) && passes > 1)
-    throw FileError(output, "the path has " + std::to_string(passes) +
-                                " passes, and this format has no moves between them; write a .ngc or .nc, or " + remedy);
+  return std::any_of(outputs.begin(), outputs.end(), isExchange);
 }
 
 bool
 hasProgram(const ProgramJob& program, const std::vector<std::string>& outputs)
 {
   return !program.machine_file.empty() || std::any_of(outputs.begin(), outputs.end(), isProgram);
+}
+
+bool
+hasLeads(const ProgramJob& program, const std::vector<std::string>& outputs)
+{
+  return hasProgram(program, outputs) || hasExchange(outputs);
 }
 
 void
@@ -104,8 +108,14 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
       std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".nc"; }))
     throw UsageError("--dialect " + choiceName(program.dialect) +
                      ": no output is in that language; write a .nc (a .ngc is always for LinuxCNC)");
+  if (given.count("robot-z") > 0 &&
+      std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".yaml"; }))
+    throw UsageError("--robot-z " + choiceName(program.robot_z) + ": no output has robot frames; add an output .yaml, or leave it out");
   requireOption(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
   requireOption(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
+  requireOption(s.stay_down >= 0.0, "stay-down", s.stay_down, "must be above 0 mm, or 0 for retracts");
+  if (given.count("stay-down") > 0 && !hasProgram(program, outputs))
+    throw UsageError("--stay-down: no output is a program, and only programs have links; add an output .ngc or .nc, or leave it out");
   requireOption(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
   for (const auto& [name, feed] :
        {std::pair("plunge-feed", s.plunge_feed), std::pair("lead-feed", s.lead_feed), std::pair("link-feed", s.link_feed)})

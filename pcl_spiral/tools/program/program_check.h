@@ -6,7 +6,6 @@
 
 #include "program_job.h"
 
-#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,10 +16,12 @@ bool isProgram(const std::string& output);
 pcl_spiral::Dialect languageOf(const ProgramJob& program, const std::string& output);
 /** .apt .cls .yaml */
 bool isExchange(const std::string& output);
-/** CLDATA and robot frames have no moves from one pass to the next. \p remedy: how to make one pass. \throw FileError */
-void requireOnePass(std::size_t passes, const std::string& output, const std::string& remedy);
+/** Whether one of the \p outputs is such a file. */
+bool hasExchange(const std::vector<std::string>& outputs);
 /** Whether a program is made, for a file or a picture. */
 bool hasProgram(const ProgramJob& program, const std::vector<std::string>& outputs);
+/** Whether the tool is led to the passes and off them, in a program or in files for other machines. */
+bool hasLeads(const ProgramJob& program, const std::vector<std::string>& outputs);
 
 /** \p given: the options that were set. \throw UsageError if a setting is missing, out of range or contradicts
  *  another */

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
@@ -16,5 +17,6 @@ struct ProgramJob {
   pcl_spiral::ProgramSettings settings;                        ///< feed and ball radius come from the path
   pcl_spiral::ProgramHeader header;                            ///< title, notes and smoothing come from the path
   std::optional<double> smoothing;                             ///< mm; none: the chord error
+  pcl_spiral::RobotZ robot_z = pcl_spiral::RobotZ::Axis;       ///< of .yaml
   bool accept_collisions = false;                              ///< of shank and holder, and of the tool on its leads
 };

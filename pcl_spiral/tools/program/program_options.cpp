@@ -35,6 +35,14 @@ programOptions(ProgramJob& program)
                     "height of rapids above the highest tip, and above the scan if the part is chosen; default 50: "
                     "--rapid-height 100",
                     settings.rapid_height),
+       choiceOption("robot-z",
+                    "robot frames of a .yaml: at the tip with z along the tool axis, or at the contact with z along the surface's normal; "
+                    "default axis: --robot-z normal",
+                    program.robot_z),
+       numberOption("stay-down", "L",
+                    "go from pass to pass near the surface, at the height of the leads, if the way is at most this long and everything in "
+                    "the scan is at least half of --lead-length away; else the tool retracts; default 0, always retract: --stay-down 20",
+                    settings.stay_down),
        numberOption("plunge-feed", "F", "feed of the way down to the lead, mm/min; default the feed: --plunge-feed 500",
                     settings.plunge_feed),
        numberOption("lead-feed", "F", "feed of leads to the path and off it, mm/min; default the feed: --lead-feed 400",

@@ -29,7 +29,7 @@ files(Job& job)
         ".csv .vtp  the rows with tool tips; Turn is the number of the row\n"
         ".pcd .ply  the rows of a ball cutter\n"
         ".ngc .nc  program for a five-axis machine; see --machine\n"
-        ".apt .cls  CLDATA, one row    .yaml  robot frames, one row of a ball cutter\n"
+        ".apt .cls  CLDATA, of a cutter    .yaml  robot frames: metres, z along the tool axis; see --robot-z\n"
         ".json  report: settings, results for both lines, times\n"
         ".png  picture of the rows on the ridge; also NAME_lines.png: both lines with frames, NAME_normals.png: error of the "
         "published normal, and with a machine NAME_rotary.png: rotary angles",

@@ -75,7 +75,7 @@ printRidge(const Job& job, const Result& result)
 void
 writeOutputs(const Job& job, const Result& result, OutputFiles& files)
 {
-  writeAll(job, result, "make a single row (a larger --step-over)", files, [&](const std::string& output, std::size_t& next) {
+  writeAll(job, files, [&](const std::string& output, std::size_t& next) {
     if (extensionOf(output) == ".png")
       writePictures(job, result, files, next);
     else if (extensionOf(output) == ".json")

@@ -111,7 +111,7 @@ takeBeam(const Job& job, const DrivePasses& rows, Result& result)
                std::abs(job.rows.stand_off) * std::tan(lean * pi / 180.0),
                " mm beside the row, at the contacts in the files; to have the tip at the spot, leave --stand-off out and add the "
                "stand-off to the tool length"));
-  if (hasProgram(job.program, job.outputs))
+  if (hasLeads(job.program, job.outputs))
     result.warnings.push_back("the motion of the beam's head is not checked because its shape is not known; check that it is free");
 }
 
@@ -166,7 +166,7 @@ plan(const Job& job)
     clock.end("mesh");
   }
   if (job.hasCutter()) {
-    if (job.scan.empty() && hasProgram(job.program, job.outputs))
+    if (job.scan.empty() && hasLeads(job.program, job.outputs))
       sampleMesh(job, result);
     takeCutter(job, surface, rows, bar, result);
     clock.end("locations");

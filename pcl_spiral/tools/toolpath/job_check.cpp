@@ -162,6 +162,7 @@ checkJob(const Job& job)
   checkHolder(job.given, job.holder, job.holder_clearance, job.flank_length);
   if (job.given.count("flank-length") > 0 && job.holder.empty())
     throw UsageError("--flank-length: no --holder is given, and only the holder begins there; give one, or leave it out");
-  if (job.given.count("accept-collisions") > 0 && job.holder.empty() && !job.regions.several() && !hasProgram(job.program, job.outputs))
-    throw UsageError("--accept-collisions: no --holder is given, and no output is a program with leads that are checked; leave it out");
+  if (job.given.count("accept-collisions") > 0 && job.holder.empty() && !job.regions.several() && !hasLeads(job.program, job.outputs))
+    throw UsageError("--accept-collisions: no --holder is given, and no output is a program, CLDATA or robot frames, with leads that are "
+                     "checked; leave it out");
 }

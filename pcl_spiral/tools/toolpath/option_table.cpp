@@ -49,7 +49,7 @@ files(Job& job)
         "output file, its kind by extension; repeat it for each file: -o part.csv -o part.vtp\n"
         ".csv .pcd .ply .vtp  the path; with --verify the .vtp also has the point data Deviation and Scallop, mm\n"
         ".ngc .nc  program for a five-axis machine; see --machine\n"
-        ".apt .cls  CLDATA    .yaml  robot frames: metres, z out of the surface, x along the travel\n"
+        ".apt .cls  CLDATA    .yaml  robot frames: metres, z along the tool axis; see --robot-z\n"
         ".json  report: settings, loops, counts, times\n"
         ".html  report to read and print, with the pictures, in one file\n"
         ".png  picture of the spiral on the surface; also NAME_lines.png: loops and radial lines; with --verify also "

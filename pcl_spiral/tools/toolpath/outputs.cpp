@@ -2,6 +2,7 @@
 #include "outputs.h"
 
 #include "job_check.h"
+#include "program/exchange_files.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
 #include "reach_map.h"
@@ -136,12 +137,9 @@ textsOf(const SpiralSettings& s, const std::string& title)
 void
 writeMoves(const Job& job, const Result& result, const std::string& title, const std::string& output, const std::string& file)
 {
-  if (extensionOf(output) == ".yaml")
-    return writeRobotFrames(file, *result.path);
   if (isProgram(output))
     return writeProgramFile(job.program, *result.program, textsOf(job.settings, title), output, file);
-  writeAPT(file, ballPoses(*result.path, job.settings.tool_radius),
-           {title, ballCutter(job.settings.tool_radius), job.program.header.spindle_speed, job.settings.feed});
+  writeExchange(job.program, {title, ballCutter(job.settings.tool_radius), result.moves}, result.program, output, file);
 }
 
 } // namespace
@@ -161,9 +159,6 @@ warningsOf(const Result& result)
 void
 writeOutputs(const Job& job, Result& result, OutputFiles& files)
 try {
-  for (const std::string& output : job.outputs)
-    requireOnePass(result.report.pass_begins.size() + 1, output,
-                   result.regions.empty() ? "leave --one-way out" : "make one run for each region");
   const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed, {}, result.report.pass_begins, scanShift()};
   const PathValues values{{}, result.heights.deviation, result.heights.scallop};
   const std::string title = titleWithShift(std::filesystem::path(job.scan).filename().string());

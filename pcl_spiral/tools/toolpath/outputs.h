@@ -13,6 +13,7 @@
 #include "verify/stock_mesh.h"
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/machine/machine_program.h>
+#include <pcl_spiral/machine/tool_moves.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 
@@ -56,6 +57,7 @@ struct Result {
   Heights heights;                                      ///< the values behind it
   pcl_spiral::StockMesh left;                           ///< the surface after cutting, with --stock
   std::optional<pcl_spiral::MachineProgram> program;    ///< if a machine is given
+  std::vector<pcl_spiral::ToolMoves> moves;             ///< with leads, if an output is CLDATA or has robot frames
 };
 
 /** Warnings of reading, planning and judging. */

@@ -1,21 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_program.h"
 #include "holder_way.h"
+#include "program/exchange_files.h"
 #include "program/free_leads.h"
 #include "program/machine_moves.h"
+#include "program/stay_down.h"
 #include "region_links.h"
 
 using namespace pcl_spiral;
 
+namespace {
+
+/** With everything in the scan below the rapids. */
+ProgramJob
+programJob(const Job& job, const Result& result)
+{
+  ProgramJob asked = job.program;
+  asked.settings.clear_box = boxToClear(job, result);
+  return asked;
+}
+
+/** The leads are clear of the scan. */
+void
+requireFree(const Job& job, const MachineProgram& program, Result& result)
+{
+  requireFreeLeads(job.scan, result.whole_scan, toolOf(job, result.report), program, job.program.accept_collisions, job.quiet,
+                   result.report.warnings);
+}
+
+} // namespace
+
 MachineProgram
 freeProgram(const Job& job, const Machine& machine, const std::vector<ToolPoses>& passes, Result& result, std::vector<std::string>& made)
 {
-  const SpiralSettings& s = job.settings;
-  ProgramJob asked = job.program;
-  asked.settings.clear_box = boxToClear(job, result);
-  MachineProgram program = makeProgram(asked, machine, s.feed, s.tool_radius, passes, made);
-  requireFreeLeads(job.scan, result.whole_scan, toolOf(job, result.report), program, job.program.accept_collisions, job.quiet,
-                   result.report.warnings);
+  std::vector<std::string> warnings;
+  const ProgramJob asked = programJob(job, result);
+  const auto make = [&](const std::vector<std::size_t>& retracted) {
+    warnings.clear();
+    return makeProgram(asked, machine, job.settings.feed, job.settings.tool_radius, passes, retracted, warnings);
+  };
+  MachineProgram program = linkedProgram(asked, make, job.scan, result.whole_scan, toolOf(job, result.report));
+  made.insert(made.end(), warnings.begin(), warnings.end());
+  requireFree(job, program, result);
   return program;
 }
 
@@ -30,4 +56,15 @@ addProgram(const Job& job, const Machine& machine, Result& result)
   if (!result.regions.empty())
     result.links = linksOf(result, *result.program);
   clock.end("machine");
+}
+
+void
+addMoves(const Job& job, Result& result)
+{
+  StageClock clock(result.report.stages);
+  const std::vector<ToolPoses> passes = ballPasses(*result.path, job.settings.tool_radius);
+  result.moves = exchangeMoves(programJob(job, result), job.settings.feed, job.settings.tool_radius, passes);
+  if (!result.program)
+    requireFree(job, programOf(result.moves), result);
+  clock.end("leads");
 }

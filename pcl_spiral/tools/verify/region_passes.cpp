@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "region_passes.h"
 
+#include "verify/program_path.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_places = 1000; // of a pass that are looked at
 
-/** Feed moves between two rapids: the block before the first, and the last. */
+/** Feed moves between rapids or links: the block before the first, and the last. */
 struct FeedRun {
   std::size_t before = 0, last = 0;
 };
@@ -22,9 +23,9 @@ feedRuns(const MachineProgram& program)
 {
   std::vector<FeedRun> runs;
   for (std::size_t i = 1; i < program.blocks.size(); ++i) {
-    if (program.blocks[i].rapid)
+    if (!mayCut(program.blocks[i]))
       continue;
-    if (i == 1 || program.blocks[i - 1].rapid)
+    if (i == 1 || !mayCut(program.blocks[i - 1]))
       runs.push_back({i - 1, i});
     runs.back().last = i;
   }

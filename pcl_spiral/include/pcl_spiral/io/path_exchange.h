@@ -4,11 +4,9 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/cutter_profile.h>
-#include <pcl_spiral/machine/machine_program.h>
-
-#include <pcl/point_cloud.h>
+#include <pcl_spiral/io/program_writer.h>
+#include <pcl_spiral/machine/tool_moves.h>
 
 #include <string>
 #include <vector>
@@ -33,21 +31,31 @@ AptCutter aptCutter(const CutterProfile& cutter);
 
 /** Contents of a CLDATA file apart from its locations. */
 struct AptHeader {
-  std::string title;          ///< PARTNO
-  AptCutter cutter;           ///< CUTTER
-  double spindle_speed = 0.0; ///< rev/min; 0: no SPINDL
-  double feed = 0.0;          ///< at the contact, mm/min
+  std::string title;                                                ///< PARTNO
+  AptCutter cutter;                                                 ///< CUTTER
+  double spindle_speed = 0.0;                                       ///< rev/min; 0: no SPINDL
+  SpindleDirection spindle_direction = SpindleDirection::Clockwise; ///< CLW or CCLW
+  Coolant coolant = Coolant::None;                                  ///< COOLNT/MIST, FLOOD or THRU
+  int tool = 0;                                                     ///< LOADTL; 0: none
 };
 
-/** Writes APT / CLDATA: PARTNO, UNITS/MM, MULTAX/ON, CUTTER/d,r,e,f,alpha,beta,h, SPINDL, FEDRAT, GOTO/x,y,z,i,j,k of tip
- *  and unit axis, FINI. A FEDRAT is written wherever the speed of the tip changes by a hundredth, so that the contact keeps
- *  the feed. Poses are one pass: for a path with lifts, write each of ballPasses to its own file. \throw FileError */
-void writeAPT(const std::string& file, const ToolPoses& poses, const AptHeader& header);
+/** Writes APT / CLDATA: PARTNO, UNITS/MM, MULTAX/ON, CUTTER/d,r,e,f,alpha,beta,h, LOADTL, SPINDL, COOLNT, FEDRAT, RAPID before each
+ *  rapid, GOTO/x,y,z,i,j,k of tip and unit axis, FINI. A FEDRAT is written wherever the speed of the tip changes by a hundredth, so that
+ *  the moves keep their times. \p passes: of ledPasses, or the moves of a program (movesOf). \throw FileError, also for a pass without
+ *  moves */
+void writeAPT(const std::string& file, const std::vector<ToolMoves>& passes, const AptHeader& header);
 
-/** Writes robot frames nested as in noether: fragments of paths of segments of waypoints {x, y,
- *  z, qw, qx, qy, qz}, in metres; one of each. z is the outward normal, x the direction of travel
- *  in the surface. \throw FileError, also for a path without points or with several passes */
-void writeRobotFrames(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path);
+/** What z of a robot frame is, and where the frame is. */
+enum class RobotZ {
+  Axis,  ///< the tool axis, from the tip to the shank; the frame is at the tip
+  Normal ///< the normal of the surface, out of the material; the frame is at the contact
+};
+
+/** Writes robot frames in the nested lists that noether reads: a fragment, its path, a segment for each pass, its waypoints {x, y, z, qw,
+ *  qx, qy, qz, speed, move}, in metres and m/s. x is along the travel, square to z; on leads it is that of the end of the path. speed is
+ *  that of the place on the way to the waypoint, and is left out of rapids; move is rapid, lead or cut. noether ignores both.
+ *  \throw FileError, also for a pass without moves */
+void writeRobotFrames(const std::string& file, const std::vector<ToolMoves>& passes, RobotZ z = RobotZ::Axis);
 
 /** Writes a .6d file: x y z ax ay az on every line, tip in mm and unit tool axis in the workpiece frame. It is the
  *  list that the feature-line method for ridges in 3-D laser surface hardening writes (China Mechanical Engineering).

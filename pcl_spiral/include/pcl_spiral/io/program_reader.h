@@ -16,7 +16,8 @@ namespace pcl_spiral {
 
 /** A program as the control runs it. */
 struct ProgramFile {
-  /** Its moves. Each block has tip, axis, angles and machine position. Feed moves are BlockSection::Cut, the others BlockSection::Position.
+  /** Its moves. Each block has tip, axis, angles and machine position. Feed moves are BlockSection::Cut, or Link
+   *  between the marks of a link; the others are BlockSection::Position.
    *  normal is the axis, and arc_length is that of the tip: the text says no more. The first block is the first place at which all axes
    *  are known; the way to it is not. */
   MachineProgram program;

@@ -57,6 +57,7 @@ struct ProgramBlock {
   RotaryAngles angles;                               ///< radians
   double arc_length = 0.0;                           ///< of the contacts up to here, mm
   double minutes = 0.0;                              ///< time of the move; 0 for rapids
+  std::size_t pass = 0;                              ///< the pass that it belongs to, or leads to
 };
 
 /** A run of locations near the pole, whose axes were blended so that the first rotary axis keeps to its largest rate. */
@@ -80,6 +81,10 @@ struct ProgramReport {
   double least_feed_share = 1.0;      ///< of the feed, in the block that an axis slows most
   double least_feed_at = 0.0;         ///< arc length at that block
   std::vector<double> unwound_at;     ///< arc lengths where the first axis turns back
+  std::size_t links = 0;              ///< passes to which the tool comes by a link near the surface
+  std::size_t blocked_links = 0;      ///< passes of setRetractedPasses, to which it comes from above
+  double saved_way = 0.0;             ///< of the tip, by links instead of retracts, mm
+  double saved_minutes = 0.0;         ///< by links instead of retracts, with rapids at the largest rates of the axes
   double first_travel = 0.0;          ///< sum of all turning of the first rotary axis while cutting
   double lowest_first = 0.0;          ///< angle of the first rotary axis
   double highest_first = 0.0;         ///< angle of the first rotary axis

@@ -32,6 +32,7 @@ struct ProgramSettings {
   LeadKind lead = LeadKind::Normal;  ///< how the tool comes and leaves
   double lead_length = 2.0;          ///< mm; for an arc its radius
   double clearance = 5.0;            ///< the feed begins this far along the tool axis from the lead, mm
+  double stay_down = 0.0;            ///< links between passes up to this length stay near the surface, mm; 0: the tool retracts
   double rapid_height = 50.0;        ///< rapids cross at this height above the highest tip, mm
   Eigen::AlignedBox3d clear_box;     ///< and above this box, of what stands beside the path; empty: there is none
 };
@@ -68,6 +69,11 @@ public:
   void setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
   const std::vector<ToolPoses>& getInputPasses() const { return passes_; } ///< The value of setInputPasses.
 
+  /** Passes, counted from 0, before which the tool retracts although stay_down allows a link: those where LeadCheck finds the link in the
+   *  way of something. None by default. */
+  void setRetractedPasses(const std::vector<std::size_t>& passes) { retracted_ = passes; }
+  const std::vector<std::size_t>& getRetractedPasses() const { return retracted_; } ///< The value of setRetractedPasses.
+
   void setSettings(const ProgramSettings& settings) { settings_ = settings; } ///< Feed, leads, tolerances; see ProgramSettings.
   const ProgramSettings& getSettings() const { return settings_; }            ///< The value of setSettings.
 
@@ -83,6 +89,7 @@ private:
 
   Machine machine_;
   std::vector<ToolPoses> passes_;
+  std::vector<std::size_t> retracted_;
   ProgramSettings settings_;
   Status status_;
 };

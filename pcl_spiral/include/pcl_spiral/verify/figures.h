@@ -141,9 +141,10 @@ struct LeadCollision {
 
 /** What LeadCheck or HolderCheck found. */
 struct LeadFigures {
-  std::size_t moves = 0;    ///< moves looked at: those that do not cut, or of HolderCheck those that do
-  std::size_t collided = 0; ///< number of these moves with a collision
-  LeadCollision deepest;    ///< if there is one
+  std::size_t moves = 0;           ///< moves looked at: those that do not cut, or of HolderCheck those that do
+  std::size_t collided = 0;        ///< number of these moves with a collision
+  LeadCollision deepest;           ///< if there is one
+  std::vector<std::size_t> blocks; ///< of LeadCheck, the ends of the moves with a collision
 };
 
 } // namespace pcl_spiral

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "exchange_check.h"
 #include "post_text.h"
 
-#include <pcl_spiral/io/file_error.h>
+#include "io/link_marks.h"
+
 #include <pcl_spiral/io/path_exchange.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pcl_spiral {
 namespace {
@@ -33,13 +36,55 @@ writeGoto(PostText& out, const Eigen::Vector3d& tip, const Eigen::Vector3d& axis
   out.endLine();
 }
 
-/** Speed of the tip from \p a to \p b for which the contact moves at \p feed. */
-double
-tipFeed(const ToolPose& a, const ToolPose& b, double feed)
+/** The calls of tool, spindle and coolant that \p header asks for. */
+void
+writeStart(PostText& out, const AptHeader& header)
 {
-  const double contact = (b.contact - a.contact).norm(), tip = (b.tip - a.tip).norm();
-  return contact > 0.0 && tip > 0.0 ? feed * tip / contact : feed;
+  if (header.tool > 0)
+    out.line("LOADTL/" + std::to_string(header.tool));
+  if (header.spindle_speed > 0.0) {
+    writeWord(out, "SPINDL", {header.spindle_speed}, 1);
+    out.endLine(header.spindle_direction == SpindleDirection::Clockwise ? ",RPM,CLW\n" : ",RPM,CCLW\n");
+  }
+  if (header.coolant != Coolant::None)
+    out.line(header.coolant == Coolant::Mist ? "COOLNT/MIST" : header.coolant == Coolant::Flood ? "COOLNT/FLOOD" : "COOLNT/THRU");
 }
+
+/** Writes moves, and what changes between them. */
+class MoveText {
+public:
+  explicit MoveText(PostText& out) : out_(out) {}
+
+  void add(const ToolMove& move)
+  {
+    const bool link = move.section == BlockSection::Link;
+    if (link != in_link_)
+      out_.line("$$ " + std::string(link ? link_begin : link_end));
+    in_link_ = link;
+    if (move.rapid)
+      out_.line("RAPID");
+    else if (before_)
+      writeFeed((move.pose.tip - *before_).norm(), move.minutes);
+    writeGoto(out_, move.pose.tip, move.pose.axis);
+    before_ = move.pose.tip;
+  }
+
+private:
+  /** The speed of the tip; where it stays and the axis turns, the speed before. */
+  void writeFeed(double way, double minutes)
+  {
+    if (!(way > 0.0 && minutes > 0.0) || std::abs(way / minutes - last_) <= 0.01 * last_)
+      return;
+    last_ = way / minutes;
+    writeWord(out_, "FEDRAT", {last_}, 3);
+    out_.endLine(",MMPM\n");
+  }
+
+  PostText& out_;
+  std::optional<Eigen::Vector3d> before_;
+  double last_ = 0.0;
+  bool in_link_ = false;
+};
 
 } // namespace
 
@@ -63,31 +108,25 @@ aptCutter(const CutterProfile& cutter)
 }
 
 void
-writeAPT(const std::string& file, const ToolPoses& poses, const AptHeader& header)
+writeAPT(const std::string& file, const std::vector<ToolMoves>& passes, const AptHeader& header)
 {
-  if (poses.empty())
-    throw FileError(file, "not written: the path has no points");
+  requireMoves(file, passes);
   PostText out(file, millimetres);
   out.text("PARTNO " + commentText(header.title) + "\nUNITS/MM\nMULTAX/ON\n");
   const AptCutter& c = header.cutter;
   writeWord(out, "CUTTER", {c.diameter, c.corner_radius, c.corner_distance, c.corner_height, c.tip_angle, c.flank_angle, c.height},
             millimetres);
   out.endLine();
-  if (header.spindle_speed > 0.0) {
-    writeWord(out, "SPINDL", {header.spindle_speed}, 1);
-    out.endLine(",RPM,CLW\n");
-  }
-  double last = -1.0;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const double feed = i == 0 ? header.feed : tipFeed(poses[i - 1], poses[i], header.feed);
-    if (feed > 0.0 && std::abs(feed - last) > 0.01 * last) {
-      writeWord(out, "FEDRAT", {feed}, 3);
-      out.endLine(",MMPM\n");
-      last = feed;
-    }
-    writeGoto(out, poses[i].tip, poses[i].axis);
-  }
-  out.text(header.spindle_speed > 0.0 ? "SPINDL/OFF\nFINI\n" : "FINI\n");
+  writeStart(out, header);
+  MoveText text(out);
+  for (const ToolMoves& moves : passes)
+    for (const ToolMove& move : moves)
+      text.add(move);
+  if (header.coolant != Coolant::None)
+    out.line("COOLNT/OFF");
+  if (header.spindle_speed > 0.0)
+    out.line("SPINDL/OFF");
+  out.line("FINI");
   out.close();
 }
 

@@ -4,6 +4,7 @@
 #include "post_check.h"
 
 #include "io/kinematics_text.h"
+#include "io/link_marks.h"
 #include "io/named_values.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
@@ -80,7 +81,7 @@ Post::writeStart()
 void
 Post::writeBlocks()
 {
-  bool cutting = false;
+  bool cutting = false, linking = false;
   const auto turn = [&](bool cuts) {
     if (cuts == cutting)
       return;
@@ -95,6 +96,10 @@ Post::writeBlocks()
     if (isOfStart(block) || block.section == BlockSection::End)
       continue;
     turn(block.section == BlockSection::Cut);
+    if (const bool links = block.section == BlockSection::Link; links != linking) {
+      writeComment(std::string(links ? link_begin : link_end));
+      linking = links;
+    }
     writeBlock(*before, block);
     before = &block;
   }

@@ -139,7 +139,7 @@ ProgramTrack::add(std::size_t line, const ProgramTarget& target)
   std::vector<ProgramBlock>& blocks = file_.program.blocks;
   ProgramBlock block;
   block.rapid = target.rapid;
-  block.section = target.rapid ? BlockSection::Position : BlockSection::Cut;
+  block.section = target.rapid ? BlockSection::Position : target.link ? BlockSection::Link : BlockSection::Cut;
   block.angles = {*angles_[0], *angles_[1]};
   block.tip = vectorOf(tip_);
   block.machine = vectorOf(machine_);

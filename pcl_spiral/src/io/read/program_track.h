@@ -21,6 +21,7 @@ struct ProgramTarget {
   bool of_machine = false;                     ///< xyz is that of the gauge point in machine coordinates
   bool of_tip = false;                         ///< xyz is that of the tip; false: as programmed without RTCP
   bool rapid = false;
+  bool link = false;         ///< between two passes, off the surface
   bool inverse_time = false; ///< the feed is 1 / minutes; false: mm/min, or degrees/min where X Y Z stand
   double feed = 0.0;
   bool names() const { return xyz[0] || xyz[1] || xyz[2] || angles[0] || angles[1] || axis; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_words.h"
 
+#include "io/link_marks.h"
+
 #include <pcl_spiral/io/file_error.h>
 
 #include <algorithm>
@@ -83,6 +85,7 @@ ProgramLines::takeComment(std::size_t begin)
   if (close == std::string_view::npos)
     fail("a comment begins with ( and does not end; add )");
   comments_.emplace_back(text_.substr(begin + 1, close - begin - 1));
+  in_link_ = isInLink(trimmed(comments_.back()), in_link_);
   return std::min(close + 1, text_.size());
 }
 

@@ -33,6 +33,8 @@ public:
   std::size_t number() const { return lines_.number(); }
   /** The comments of all lines up to here. */
   const std::vector<std::string>& comments() const { return comments_; }
+  /** Whether the line is between the marks of a link between passes. */
+  bool inLink() const { return in_link_; }
 
   /** "line 7: X10: reason" \throw FileError */
   [[noreturn]] void fail(const ProgramWord& word, const std::string& reason) const;
@@ -49,6 +51,7 @@ private:
   std::string_view text_;
   std::vector<ProgramWord> words_;
   std::vector<std::string> comments_;
+  bool in_link_ = false;
 };
 
 } // namespace pcl_spiral

@@ -3,6 +3,8 @@
 #include "program_track.h"
 #include "text_scan.h"
 
+#include "io/link_marks.h"
+
 #include <pcl_spiral/io/file_error.h>
 
 #include <algorithm>
@@ -29,7 +31,9 @@ public:
       fail("APT has tips, but the machine file has rtcp: false; read it without a machine, or set rtcp: true");
     std::string_view line;
     while (!ended_ && lines_.next(line))
-      if (!line.empty() && line.substr(0, 2) != "$$")
+      if (line.substr(0, 2) == "$$")
+        in_link_ = isInLink(trimmed(line.substr(2)), in_link_);
+      else if (!line.empty())
         takeLine(line);
     if (!ended_)
       fail("the file ends without FINI: it was cut off; write it again");
@@ -93,6 +97,7 @@ private:
     target.axis = axis_.normalized();
     target.of_tip = true;
     target.rapid = rapid_ || from || !track_.begun();
+    target.link = in_link_;
     target.feed = feed_ > 0.0 ? feed_ : 1.0; // a path without FEDRAT has no times
     rapid_ = false;
     if (const std::string fault = track_.move(lines_.number(), target); !fault.empty())
@@ -106,7 +111,7 @@ private:
   std::vector<std::string_view> values_;
   Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ();
   double unit_ = 1.0, feed_ = 0.0;
-  bool rapid_ = false, ended_ = false;
+  bool rapid_ = false, ended_ = false, in_link_ = false;
 };
 
 } // namespace

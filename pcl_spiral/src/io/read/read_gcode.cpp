@@ -184,6 +184,7 @@ private:
     if (!modes_.rapid)
       lines_.fail("axes are named, but neither G0 nor G1 is on; write one of them");
     target.rapid = *modes_.rapid;
+    target.link = lines_.inLink();
     target.of_tip = modes_.guides_tip && machine_.takesTips();
     requireGuided(target);
     target.inverse_time = modes_.inverse_time;

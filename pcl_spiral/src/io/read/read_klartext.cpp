@@ -121,6 +121,7 @@ private:
       lines_.fail(
           "with M128 X Y Z are those of the tip, but the machine file has rtcp: false; give the machine file for which the program was "
           "made, or set rtcp: true");
+    target.link = lines_.inLink();
     target.feed = feed_;
     if (const std::string fault = track_.move(lines_.number(), target); !fault.empty())
       lines_.fail(fault);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  CLDATA and robot frames: paths with their leads, for other machines.
+ */
+#pragma once
+
+#include "program_job.h"
+
+#include <pcl_spiral/io/path_exchange.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/** What such a file contains. */
+struct ExchangePath {
+  std::string title;
+  pcl_spiral::AptCutter cutter;
+  std::vector<pcl_spiral::ToolMoves> moves; ///< of the passes, with their leads
+};
+
+/** Adds leads to \p passes with the settings of \p job. \p ball_radius: 0 for other cutters */
+std::vector<pcl_spiral::ToolMoves> exchangeMoves(const ProgramJob& job, double feed, double ball_radius,
+                                                 const std::vector<pcl_spiral::ToolPoses>& passes);
+
+/** Writes \p file for \p output; CLDATA has the moves of \p program if there is one. \throw pcl_spiral::FileError */
+void writeExchange(const ProgramJob& job, const ExchangePath& path, const std::optional<pcl_spiral::MachineProgram>& program,
+                   const std::string& output, const std::string& file);
