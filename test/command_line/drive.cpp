@@ -124,6 +124,23 @@ TEST(Drive, AColumnByAHelixForAnyCutter)
   EXPECT_TRUE(std::filesystem::exists(folder.path("a_rotary.png")));
 }
 
+/** Half of the column faces away from the axis; a helix cuts all of it. */
+TEST(Drive, SurfaceThatPlanesDoNotReachIsAWarningWithItsRemedy)
+{
+  const ScratchFolder folder;
+  const auto warned = [&folder](const std::vector<std::string>& path) {
+    std::vector<std::string> arguments{"column.xyz", "--tool-radius", "3", "--step-over", "2", "--tolerance", "0.05", "-o", "a.csv"};
+    arguments.insert(arguments.end(), path.begin(), path.end());
+    const RunResult done = run(folder, arguments);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return done.err;
+  };
+  const std::string planes = warned({"--axis", "1,0,0"});
+  expectHas(planes, " % of the surface is not cut, such as at (");
+  expectHas(planes, "choose another --axis, or for a column --drive helix");
+  EXPECT_EQ(warned({"--drive", "helix"}).find("is not cut"), std::string::npos);
+}
+
 TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
 {
   const ScratchFolder folder;

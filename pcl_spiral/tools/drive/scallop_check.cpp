@@ -101,15 +101,41 @@ remedyOf(const Job& job, const Result& result, double height)
                 ", or give --step-over ", result.drive.step_over, " instead, which promises no height");
 }
 
+/** Whether rows are even or kept over all of a scan, and nothing else says what they leave out. */
+bool
+isWholeScanMeant(const Job& job, const Result& result)
+{
+  return job.drive.kind == DriveKind::Planes && job.drive.axisMode() == DriveAxisMode::Fixed && !result.mesh &&
+         result.chosen.keep_outs.empty() && result.drive.step_over <= job.cutter.radius;
+}
+
+/** How much of the surface a fixed axis does not reach; empty if no more than rims. */
+std::string
+uncutText(const Job& job, const std::vector<Place>& places, const std::vector<double>& left, const Result& result)
+{
+  const auto isUncut = [&](double height) { return height >= 2.0 * job.cutter.radius; };
+  const auto first = std::find_if(left.begin(), left.end(), isUncut);
+  const double share = static_cast<double>(std::count_if(first, left.end(), isUncut)) / static_cast<double>(left.size());
+  if (!isWholeScanMeant(job, result) || !(share > ignored_share))
+    return "";
+  return textOf(100.0 * share, " % of the surface is not cut, such as at ", placeText(places[first - left.begin()].x),
+                ": it faces away from the tool axis, or the part hides it: choose another --axis, or for a column --drive helix");
+}
+
 } // namespace
 
 void
 requireScallop(const Job& job, const Surface::ConstPtr& surface, Result& result)
 {
-  if (!(job.scallop > 0.0) || !(surface || result.mesh))
+  if (!(surface || result.mesh) || !(job.scallop > 0.0 || isWholeScanMeant(job, result)))
     return;
   const std::vector<Place> places = meantPlaces(job, surface, result);
   const std::vector<double> left = leftOver(places, job, result);
+  const std::string uncut = uncutText(job, places, left, result);
+  if (!uncut.empty())
+    result.warnings.push_back(uncut);
+  if (!(job.scallop > 0.0))
+    return;
   const double allowed = more * job.scallop + job.tolerance, nothing = 2.0 * job.cutter.radius;
   std::size_t over = 0, met = 0, worst = 0;
   for (std::size_t i = 0; i < left.size(); ++i) {
@@ -125,6 +151,6 @@ requireScallop(const Job& job, const Surface::ConstPtr& surface, Result& result)
   const std::string said = textOf("the passes leave more than the --scallop of ", job.scallop, " mm on ", 100.0 * share,
                                   " % of the surface, up to ", left[worst], " mm at ", placeText(places[worst].x));
   if (share > ignored_share)
-    throw FileError(job.part, said + ": " + remedyOf(job, result, left[worst]));
+    throw FileError(job.part, said + ": " + remedyOf(job, result, left[worst]) + (uncut.empty() ? "" : "; " + uncut));
   result.warnings.push_back(said + ": check this place");
 }
