@@ -42,6 +42,12 @@ completeCutter(PassJob& job)
   if (isGiven(job, "holder-clearance") && job.holder.empty())
     throw UsageError("--holder-clearance: no --holder is given; give one, or leave it out");
   requireOption(job.holder_clearance >= 0.0, "holder-clearance", job.holder_clearance, "must not be below 0 mm");
+  requireOption(job.ceiling > 0.0 || !isGiven(job, "ceiling"), "ceiling", job.ceiling, "must be above 0 mm, such as 60");
+  requireOption(job.max_retilt >= 0.0 && job.max_retilt <= 90.0, "max-retilt", job.max_retilt, "must be from 0 to 90 degrees, such as 30");
+  requireOption(job.retilt_step > 0.0 && job.retilt_step <= 180.0, "retilt-step", job.retilt_step,
+                "must be above 0 and at most 180 degrees, such as 3");
+  if (isGiven(job, "retilt-step") && !(job.max_retilt > 0.0))
+    throw UsageError("--retilt-step: no --max-retilt is given; give one, or leave it out");
   if (!job.holder.empty() && !(c.flank_length > 0.0))
     throw UsageError("--holder: no --flank-length is given; give the length of the flank, the holder begins above it");
 }

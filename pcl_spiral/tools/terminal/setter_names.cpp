@@ -8,7 +8,7 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 69> words{{
+constexpr std::array<std::pair<const char*, const char*>, 72> words{{
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setPartAt", "--part-at"},
@@ -49,6 +49,9 @@ constexpr std::array<std::pair<const char*, const char*>, 69> words{{
     {"setAxisSmoothing", "--axis-smoothing"},
     {"setMaxAxisRate", "--max-axis-rate"},
     {"setRows", "--rows"},
+    {"setCeiling", "--ceiling"},
+    {"setMaxRetilt", "--max-retilt"},
+    {"setRetiltStep", "--retilt-step"},
     {"setChordError", "--chord-error"},
     {"setReferenceNormal", "--reference"},
     {"setMeasuringError", "--measuring-error"},
