@@ -15,9 +15,10 @@ constexpr double least_share = 0.2; // of the normal along the axis: lower limit
 } // namespace
 
 CloudGround::CloudGround(const LocationSurface& surface, const CutterProfile& profile, const LocationOptions& options)
-: surface_(surface), options_(options), profile_(profile), drop_(surface.obstacles(), profile), rim_drop_(surface.rim(), profile),
-  inner_drop_(surface.obstacles(), insetCutter(profile, near())), fitted_drop_(surface, profile),
-  holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
+: surface_(surface), options_(options), profile_(profile), drop_(surface.obstacles(), profile, options.ceiling),
+  rim_drop_(surface.rim(), profile, options.ceiling), inner_drop_(surface.obstacles(), insetCutter(profile, near()), options.ceiling),
+  fitted_drop_(surface, profile, options.ceiling), holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance),
+  above_(profile, options)
 {}
 
 bool
@@ -38,6 +39,10 @@ CloudGround::settle(const AskedLocation& asked, double height, ToolLocation& loc
   location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
   asked.findRim(rim_drop_, profile_.radius(), height, location);
   location.collision = findCollision(surface_.obstacles(), holder_, asked.frame, height, options_.tolerance);
+  const auto find = [&](const HolderProfile& tool) {
+    return findCollision(surface_.obstacles(), tool, asked.frame, height, options_.tolerance, options_.ceiling);
+  };
+  above_.look(find, location);
   location.collision.cloud_index = surface_.cloudIndex(location.collision.cloud_index);
 }
 
@@ -131,11 +136,17 @@ CloudGround::locate(const DrivePoint* drive, std::size_t count, ToolLocation* lo
 }
 
 bool
-CloudGround::clears(const DrivePoint& drive) const
+CloudGround::clears(const DrivePoint& drive, double slack, const HolderProfile& holder) const
 {
   const AskedLocation asked(drive, profile_);
-  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || asked.holds(inner_drop_, near());
-  return asked.contact.touches && clear && !findCollision(surface_.obstacles(), holder_, asked.frame, 0.0, options_.tolerance).found();
+  const bool clear = !drop_.highest(asked.frame, slack).found || asked.holds(inner_drop_, near());
+  return asked.contact.touches && clear && !findCollision(surface_.obstacles(), holder, asked.frame, 0.0, options_.tolerance).found();
+}
+
+double
+CloudGround::slackAt(const DrivePoint& drive) const
+{
+  return near() / std::max(least_share, drive.normal.normalized().dot(drive.axis.normalized()));
 }
 
 Status

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "above_ceiling.h"
 #include "asked_location.h"
 #include "location_ground.h"
 
@@ -19,7 +20,8 @@ public:
 
   Status check() const override;
   void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const override;
-  bool clears(const DrivePoint& drive) const override;
+  bool clears(const DrivePoint& drive, double slack, const HolderProfile& holder) const override;
+  double slackAt(const DrivePoint& drive) const override;
   /** The bound of sweptError, because nothing is known between points. */
   double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
   void describe(const ToolLocations& locations, LocationFigures& figures) const override;
@@ -40,6 +42,7 @@ private:
   CutterDrop drop_, rim_drop_, inner_drop_; ///< inner_drop_ has a cutter smaller by near() all round
   FittedDrop fitted_drop_;
   HolderProfile holder_;
+  AboveCeiling above_;
 };
 
 } // namespace pcl_spiral

@@ -28,8 +28,8 @@ struct FittedContact {
  *  The highest contact counts. */
 class FittedDrop {
 public:
-  FittedDrop(const LocationSurface& surface, const CutterProfile& profile)
-  : surface_(surface), profile_(profile), drop_(surface.obstacles(), profile)
+  FittedDrop(const LocationSurface& surface, const CutterProfile& profile, double ceiling)
+  : surface_(surface), profile_(profile), drop_(surface.obstacles(), profile, ceiling)
   {}
 
   /** One contact a frame. \p drops: the drops of the same frames on the points only. */

@@ -16,7 +16,7 @@ farthestCorner(const Box& box, const Eigen::Vector3d& place)
 }
 
 HolderCollision
-findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance)
+findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance, double above)
 {
   HolderCollision worst;
   if (holder.empty())
@@ -27,17 +27,19 @@ findCollision(const PointBlocks& blocks, const HolderProfile& holder, const Axis
   const auto keep = [&](const Box& box) {
     const AxisBox seen = view.see(box);
     double depth = 0.0;
-    return holder.mayBeInside(seen.nearest - slack, seen.low - tip - slack, seen.high - tip + slack, depth) >= 0 && depth + slack > deepest;
+    const double low = std::max(seen.low, above) - tip - slack, high = seen.high - tip + slack;
+    return high >= low && holder.mayBeInside(seen.nearest - slack, low, high, depth) >= 0 && depth + slack > deepest;
   };
   blocks.forBlocks(keep, [&](std::size_t block) {
     for (std::size_t i = blocks.blockBegin(block); i < blocks.blockEnd(block); ++i) {
       const Eigen::Vector3d p = blocks.position(i);
+      const double along = frame.along(p);
       double depth = 0.0;
-      const int segment = holder.inside(frame.across(p).norm(), frame.along(p) - tip, depth);
+      const int segment = along > above ? holder.inside(frame.across(p).norm(), along - tip, depth) : -1;
       if (segment < 0 || !(depth > deepest))
         continue;
       deepest = depth;
-      worst = {segment, depth, p, blocks.originalIndex(i)};
+      worst = {ToolPart::Holder, segment, depth, p, blocks.originalIndex(i)};
     }
   });
   return worst;

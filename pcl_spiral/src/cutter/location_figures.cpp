@@ -25,6 +25,8 @@ CutterLocationEngine::figures(const ToolLocations& locations) const
     f.retilted += location.retilt > 0.0;
     f.largest_retilt = std::max(f.largest_retilt, location.retilt);
     f.collisions += location.collision.found();
+    if (location.under_scan && f.under_scan++ == 0)
+      f.first_under_scan = i;
     if (location.collision.depth > f.deepest_collision) {
       f.deepest_collision = location.collision.depth;
       f.most_collided = i;
@@ -58,16 +60,32 @@ CutterLocationEngine::figures(const ToolLocations& locations) const
   warn(f.count(LocationState::Unreachable), "have a given contact that overhangs the cutter's flank");
   if (f.collisions > 0) {
     const HolderCollision& worst = locations[f.most_collided].collision;
-    const auto segment = static_cast<std::size_t>(worst.segment);
-    const std::string& name = options_.holder[segment].name;
-    warn(f.collisions, textOf("have a collision of the holder with the ", ground_->name(), ", at most ", worst.depth,
-                              " mm deep, clearance included: ", name.empty() ? textOf("segment ", segment + 1) : name, " of location ",
-                              f.most_collided, " at ", placeText(worst.place),
+    warn(f.collisions, textOf("have a collision of the ", worst.part == ToolPart::Holder ? "holder" : "cutter", " with the ",
+                              ground_->name(), ", at most ", worst.depth, " mm deep, clearance included: ", nameOf(worst, options_.holder),
+                              " of location ", f.most_collided, " at ", placeText(worst.place),
                               "; lengthen the tool, lean the axis away, or allow it "
                               "to be tilted"));
   }
+  if (f.under_scan > 0)
+    warn(f.under_scan,
+         textOf("are below more of the ", ground_->name(), ", above the end of the tool, which is ", options_.tool_length,
+                " mm long; the first is location ", f.first_under_scan, ", its tip at ", placeText(locations[f.first_under_scan].tip),
+                ": what holds the tool is not checked there; add it to the holder, or raise the ceiling: the cutter is then "
+                "lifted over it"));
   ground_->describe(locations, f);
   return f;
+}
+
+std::string
+nameOf(const HolderCollision& collision, const std::vector<ToolSegment>& holder)
+{
+  if (collision.part == ToolPart::Cutter)
+    return "the cutter";
+  if (collision.part == ToolPart::Shank)
+    return "a shank as wide as the cutter";
+  const auto segment = static_cast<std::size_t>(collision.segment);
+  const std::string& name = holder.at(segment).name;
+  return name.empty() ? textOf("segment ", segment + 1, " of the holder") : name;
 }
 
 const char*

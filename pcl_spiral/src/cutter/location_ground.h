@@ -7,6 +7,7 @@
 #include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/impl/swept_error.h>
+#include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/cutter/tool_location.h>
 
 #include <cstddef>
@@ -24,9 +25,12 @@ public:
   /** One location a drive point; the same for any number of threads. */
   virtual void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const = 0;
 
-  /** Whether the cutter and its holder fit at the contact given by \p drive: a quick test with only the points or only
-   *  the surface. */
-  virtual bool clears(const DrivePoint& drive) const = 0;
+  /** Whether the cutter and \p holder fit at the contact given by \p drive, lifted by no more than \p slack: a quick test with only
+   *  the points or only the surface. */
+  virtual bool clears(const DrivePoint& drive, double slack, const HolderProfile& holder) const = 0;
+
+  /** How far along the axis, mm, a cutter may be held off the contact given by \p drive and still touch it, with the noise of points. */
+  virtual double slackAt(const DrivePoint& drive) const = 0;
 
   /** Bound of how deep a straight move may cut, with tip and axis moving evenly; \p allowed if it is known to be at most that. */
   virtual double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "location_ground.h"
+#include "smooth_retilt.h"
 
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/frame.h>
@@ -41,13 +42,25 @@ private:
   double angle_;
 };
 
+} // namespace
+
 bool
 isWanting(const ToolLocation& location)
 {
   return location.state == LocationState::Lifted || location.state == LocationState::Unreachable || location.collision.found();
 }
 
-} // namespace
+HolderProfile
+CutterLocationEngine::holderWith(double margin) const
+{
+  return HolderProfile(options_.holder, profile_.topHeight(), profile_.radius(), options_.holder_clearance + margin);
+}
+
+void
+CutterLocationEngine::retiltPass(const DrivePoint* drive, double margin, std::size_t count, ToolLocation* locations) const
+{
+  SmoothRetilt(*ground_, holderWith(margin), options_.max_retilt * degree, options_.retilt_step * degree).run(drive, count, locations);
+}
 
 void
 CutterLocationEngine::retilt(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const
@@ -57,6 +70,7 @@ CutterLocationEngine::retilt(const DrivePoint* drive, std::size_t count, ToolLoc
     ConeOfAxes cone;
     int next = 0;
   };
+  const HolderProfile holder = holderWith(0.0);
   std::vector<Pending> pending;
   for (std::size_t i = 0; i < count; ++i)
     if (drive[i].asksForContact() && isWanting(locations[i])) {
@@ -70,7 +84,7 @@ CutterLocationEngine::retilt(const DrivePoint* drive, std::size_t count, ToolLoc
     for (std::int64_t k = 0; k < static_cast<std::int64_t>(pending.size()); ++k) {
       Pending& p = pending[k];
       const DrivePoint& asked = drive[p.index];
-      while (p.next < ConeOfAxes::size && !ground_->clears({asked.position, p.cone[p.next], asked.normal}))
+      while (p.next < ConeOfAxes::size && !ground_->clears({asked.position, p.cone[p.next], asked.normal}, options_.tolerance, holder))
         ++p.next;
     }
     const auto none_left = [](const Pending& p) { return p.next == ConeOfAxes::size; };

@@ -26,8 +26,9 @@ struct DeepPart {
 
 class CollisionSearch {
 public:
-  CollisionSearch(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance, double sag)
-  : patches_(patches), holder_(holder), frame_(frame), tip_(tip), least_(tolerance), sag_(sag)
+  CollisionSearch(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance, double sag,
+                  double above)
+  : patches_(patches), holder_(holder), frame_(frame), tip_(tip), above_(above - tip), least_(tolerance), sag_(sag)
   {
     axes_ << frame.e1.transpose(), frame.e2.transpose(), frame.axis.transpose();
   }
@@ -47,10 +48,9 @@ public:
     const auto keep = [&](const Box& box) {
       const AxisBox seen = view.see(box);
       double depth = 0.0;
-      return !isDone() &&
-             depthWithin(seen.nearest - slack, seen.low - tip_ - slack, seen.high - tip_ + slack,
-                         sway_.at(farthestCorner(box, frame_.origin)), depth) >= 0 &&
-             depth > least_;
+      const double low = std::max(seen.low - tip_, above_) - slack, high = seen.high - tip_ + slack;
+      return !isDone() && high >= low &&
+             depthWithin(seen.nearest - slack, low, high, sway_.at(farthestCorner(box, frame_.origin)), depth) >= 0 && depth > least_;
     };
     patches_.boxes().forItems(keep, [&](std::uint32_t place) {
       const PatchCell cell = patches_.cell(place);
@@ -92,14 +92,17 @@ private:
     for (const Vector3d& b : {nearest, Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(0, 0, 1)}) {
       const Vector3d p = std::isfinite(sag_) ? cell.position(b) : cell.corners * b;
       double depth = 0.0;
-      if (const int segment = depthWithin(p.head<2>().norm(), p.z(), p.z(), sway_.at(p.norm()), depth); segment >= 0)
+      const int segment = p.z() > above_ ? depthWithin(p.head<2>().norm(), p.z(), p.z(), sway_.at(p.norm()), depth) : -1;
+      if (segment >= 0)
         take(p, depth, segment, face);
     }
     const double off = flat ? 0.0 : cell.sag();
+    const double lowest = cell.corners.row(2).minCoeff(), highest = cell.corners.row(2).maxCoeff();
+    if (highest + off < above_)
+      return;
     double bound = 0.0;
     const double reach = off + sway_.at(cell.corners.colwise().norm().maxCoeff() + off);
-    const int segment =
-        depthWithin((across * nearest).norm(), cell.corners.row(2).minCoeff(), cell.corners.row(2).maxCoeff(), reach, bound);
+    const int segment = depthWithin((across * nearest).norm(), std::max(lowest, above_ + off), highest, reach, bound);
     if (segment >= 0 && bound > least_ + precision) {
       parts_.push_back({cell, bound, segment, face});
       std::push_heap(parts_.begin(), parts_.end());
@@ -111,13 +114,14 @@ private:
     if (!(depth > least_) && !(depth == least_ && worst_.found() && face < worst_.cloud_index))
       return;
     least_ = depth;
-    worst_ = {segment, depth, frame_.place(p.head<2>(), p.z() + tip_), face};
+    worst_ = {ToolPart::Holder, segment, depth, frame_.place(p.head<2>(), p.z() + tip_), face};
   }
 
   const PatchTree& patches_;
   const HolderProfile& holder_;
   const AxisFrame& frame_;
-  double tip_, least_; ///< the depth found, or the tolerance
+  double tip_, above_; ///< above_ is from the tip
+  double least_;       ///< the depth found, or the tolerance
   double sag_;
   ToolSway sway_;    ///< of the tool; none for the depth where it stands
   bool any_ = false; ///< ends at the first place found
@@ -129,11 +133,12 @@ private:
 } // namespace
 
 HolderCollision
-findCollision(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance, double sag)
+findCollision(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance, double sag,
+              double above)
 {
   if (holder.empty())
     return {};
-  return CollisionSearch(patches, holder, frame, tip, tolerance, sag).run();
+  return CollisionSearch(patches, holder, frame, tip, tolerance, sag, above).run();
 }
 
 bool

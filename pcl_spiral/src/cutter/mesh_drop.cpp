@@ -36,8 +36,8 @@ struct Waiting {
 
 class Search {
 public:
-  Search(const PatchTree& patches, const TriangleTouch& touch, double sag, const AxisFrame& frame, double floor)
-  : patches_(patches), touch_(touch), sag_(sag), frame_(frame), view_(frame), floor_(floor)
+  Search(const PatchTree& patches, const TriangleTouch& touch, double sag, double ceiling, const AxisFrame& frame, double floor)
+  : patches_(patches), touch_(touch), sag_(sag), ceiling_(ceiling), frame_(frame), view_(frame), floor_(floor)
   {
     axes_ << frame.e1.transpose(), frame.e2.transpose(), frame.axis.transpose();
     waiting_.reserve(64);
@@ -88,9 +88,10 @@ private:
   {
     const AxisBox box = view_.see(patches_.boxes().box(node));
     const double nearest = std::max(0.0, box.nearest - slack);
-    if (box.high + slack < floor_ || nearest > touch_.profile().radius())
+    const double high = std::min(box.high, ceiling_);
+    if (high + slack < floor_ || box.low - slack > ceiling_ || nearest > touch_.profile().radius())
       return;
-    const double height = box.high - touch_.profile().height(nearest) + slack;
+    const double height = high - touch_.profile().height(nearest) + slack;
     if (height >= floor_)
       push({height, Waiting::Boxes, patches_.boxes().lowestItem(node), 0, node});
   }
@@ -100,9 +101,13 @@ private:
   void addPart(const PatchCell& cell, std::uint32_t face)
   {
     const bool flat = !(cell.sag() > sag_);
+    if (cell.corners.row(2).minCoeff() - (std::isfinite(sag_) ? cell.sag() : 0.0) > ceiling_)
+      return;
     const double wider = flat ? 0.0 : std::sqrt(cell.bows.topRows<2>().colwise().squaredNorm().maxCoeff()) / 3.0;
     const double higher = flat ? 0.0 : std::max(0.0, -cell.bows.row(2).minCoeff()) / 3.0;
-    const TouchedTriangle touched = touch_.touch(cell.corners, wider, floor_ - higher - slack);
+    const double floor = floor_ - higher - slack;
+    const bool cut = flat && cell.corners.row(2).maxCoeff() > ceiling_;
+    const TouchedTriangle touched = cut ? touchBelow(cell.corners, floor) : touch_.touch(cell.corners, wider, floor);
     const double height = touched.height + higher;
     if (!touched.found || !(flat ? height > floor_ : height + slack >= floor_))
       return;
@@ -119,6 +124,30 @@ private:
     push(waiting);
   }
 
+  /** The touch of the part of a flat triangle that is not above the ceiling: a triangle, or two. */
+  TouchedTriangle touchBelow(const Matrix3d& corners, double floor) const
+  {
+    std::vector<Vector3d> below; // barycentric, of the corners of that part
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      const double a = corners(2, k) - ceiling_, b = corners(2, next) - ceiling_;
+      if (a <= 0.0)
+        below.push_back(Vector3d::Unit(k));
+      if ((a <= 0.0) != (b <= 0.0))
+        below.push_back((b * Vector3d::Unit(k) - a * Vector3d::Unit(next)) / (b - a));
+    }
+    TouchedTriangle best;
+    for (std::size_t i = 2; i < below.size(); ++i) {
+      Matrix3d part;
+      part << below[0], below[i - 1], below[i];
+      TouchedTriangle touched = touch_.touch(corners * part, 0.0, floor);
+      touched.weights = part * touched.weights;
+      if (touched.found && (!best.found || touched.height > best.height))
+        best = touched;
+    }
+    return best;
+  }
+
   MeshContact contactOf(const Waiting& top) const
   {
     MeshContact contact;
@@ -133,7 +162,7 @@ private:
 
   const PatchTree& patches_;
   const TriangleTouch& touch_;
-  double sag_;
+  double sag_, ceiling_;
   const AxisFrame& frame_;
   AxisView view_;
   double floor_;                                                                             ///< contacts below it do not count
@@ -148,7 +177,7 @@ private:
 MeshContact
 MeshDrop::highest(const AxisFrame& frame, double floor) const
 {
-  return Search(patches_, touch_, sag_, frame, floor).run();
+  return Search(patches_, touch_, sag_, ceiling_, frame, floor).run();
 }
 
 } // namespace pcl_spiral

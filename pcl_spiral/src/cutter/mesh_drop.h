@@ -29,8 +29,11 @@ struct MeshContact {
  *  flat one is used. In hollows, where the bows lead down, the sag of a facet does not lift the cutter. The patches must outlive it. */
 class MeshDrop {
 public:
-  /** \p sag: allowed distance from the curved surface, mm; infinite: triangles are flat. */
-  MeshDrop(const PatchTree& patches, const CutterProfile& profile, double sag) : patches_(patches), touch_(profile), sag_(sag) {}
+  /** \p sag: allowed distance from the curved surface, mm; infinite: triangles are flat. The cutter comes from \p ceiling along the axis,
+   *  measured from the frame's origin: what is above it does not count, to the sag. */
+  MeshDrop(const PatchTree& patches, const CutterProfile& profile, double sag, double ceiling = std::numeric_limits<double>::infinity())
+  : patches_(patches), touch_(profile), sag_(sag), ceiling_(ceiling)
+  {}
 
   const CutterProfile& profile() const { return touch_.profile(); }
   double sag() const { return sag_; }
@@ -42,7 +45,7 @@ public:
 private:
   const PatchTree& patches_;
   TriangleTouch touch_;
-  double sag_;
+  double sag_, ceiling_;
 };
 
 } // namespace pcl_spiral

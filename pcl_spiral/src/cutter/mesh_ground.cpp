@@ -28,9 +28,10 @@ sagFor(const LocationOptions& options)
 } // namespace
 
 MeshGround::MeshGround(const LocationMesh& mesh, const CutterProfile& profile, const LocationOptions& options)
-: mesh_(mesh), options_(options), profile_(profile), sag_(sagFor(options)), drop_(mesh.faces(), profile, sag_),
-  rim_drop_(mesh.rim(), profile, sag_), inner_drop_(mesh.faces(), insetCutter(profile, near()), sag_),
-  sweep_(mesh.faces(), profile.radius(), sag_), holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance)
+: mesh_(mesh), options_(options), profile_(profile), sag_(sagFor(options)), drop_(mesh.faces(), profile, sag_, options.ceiling),
+  rim_drop_(mesh.rim(), profile, sag_, options.ceiling), inner_drop_(mesh.faces(), insetCutter(profile, near()), sag_, options.ceiling),
+  sweep_(mesh.faces(), profile.radius(), sag_), holder_(options.holder, profile.topHeight(), profile.radius(), options.holder_clearance),
+  above_(profile, options)
 {}
 
 Status
@@ -84,6 +85,10 @@ MeshGround::settle(const AskedLocation& asked, double height, ToolLocation& loca
   settleContact(asked, height, location);
   asked.findRim(rim_drop_, profile_.radius(), height, location);
   location.collision = findCollision(mesh_.faces(), holder_, asked.frame, height, options_.tolerance, sag_);
+  const auto find = [&](const HolderProfile& tool) {
+    return findCollision(mesh_.faces(), tool, asked.frame, height, options_.tolerance, sag_, options_.ceiling);
+  };
+  above_.look(find, location);
 }
 
 /** Drive points lie on the surface, or between locations on it: lower parts are searched only if nothing is met. */
@@ -132,11 +137,17 @@ MeshGround::locate(const DrivePoint* drive, std::size_t count, ToolLocation* loc
 }
 
 bool
-MeshGround::clears(const DrivePoint& drive) const
+MeshGround::clears(const DrivePoint& drive, double slack, const HolderProfile& holder) const
 {
   const AskedLocation asked(drive, profile_);
-  const bool clear = !drop_.highest(asked.frame, options_.tolerance).found || asked.holds(inner_drop_, near());
-  return asked.contact.touches && clear && !findCollision(mesh_.faces(), holder_, asked.frame, 0.0, options_.tolerance, sag_).found();
+  const bool clear = !drop_.highest(asked.frame, slack).found || asked.holds(inner_drop_, near());
+  return asked.contact.touches && clear && !findCollision(mesh_.faces(), holder, asked.frame, 0.0, options_.tolerance, sag_).found();
+}
+
+double
+MeshGround::slackAt(const DrivePoint&) const
+{
+  return options_.tolerance;
 }
 
 double

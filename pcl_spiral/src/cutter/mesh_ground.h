@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "above_ceiling.h"
 #include "asked_location.h"
 #include "location_ground.h"
 #include "mesh_sweep.h"
@@ -20,7 +21,8 @@ public:
 
   Status check() const override;
   void locate(const DrivePoint* drive, std::size_t count, ToolLocation* locations) const override;
-  bool clears(const DrivePoint& drive) const override;
+  bool clears(const DrivePoint& drive, double slack, const HolderProfile& holder) const override;
+  double slackAt(const DrivePoint& drive) const override;
   /** For balls whose axis does not turn, if they touch the mesh all the way: how deep they cut into the mesh, if that is
    *  less than sweptError. */
   double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
@@ -46,6 +48,7 @@ private:
   MeshDrop drop_, rim_drop_, inner_drop_; ///< inner_drop_ has a cutter smaller by near() all round
   MeshSweep sweep_;
   HolderProfile holder_;
+  AboveCeiling above_;
 };
 
 } // namespace pcl_spiral

@@ -32,7 +32,8 @@ SweptHeights::cellOf(const Vector3d& x) const
   return {static_cast<std::int64_t>(cell.x()), static_cast<std::int64_t>(cell.y()), static_cast<std::int64_t>(cell.z())};
 }
 
-SweptHeights::SweptHeights(const CutterProfile& profile, const std::vector<std::vector<CutterPlace>>& passes) : profile_(profile)
+SweptHeights::SweptHeights(const CutterProfile& profile, double length, const std::vector<std::vector<CutterPlace>>& passes)
+: profile_(profile), length_(length)
 {
   double longest = 0.0;
   for (const std::vector<CutterPlace>& pass : passes)
@@ -56,6 +57,8 @@ SweptHeights::cuts(const Move& move, const Vector3d& x) const
   const double length2 = d_beside.squaredNorm(), nearest = length2 > 0.0 ? p_beside.dot(d_beside) / length2 : 0.5;
   const double least2 = (p_beside - std::clamp(nearest, 0.0, 1.0) * d_beside).squaredNorm();
   const bool turns = move.from.axis != move.to.axis;
+  if (up - std::max(0.0, rise) > length_) // beyond the end of the tool all the way
+    return false;
   if (!turns && (least2 > radius * radius || profile_.height(std::sqrt(least2)) > up - std::min(0.0, rise)))
     return false;
   const double apart2 = (p_beside - nearest * d_beside).squaredNorm();

@@ -17,8 +17,8 @@ namespace pcl_spiral {
 /** What a cutter cuts on straight moves, with axes that turn evenly along each. */
 class SweptHeights {
 public:
-  /** One list of places per pass; between passes nothing is cut. */
-  SweptHeights(const CutterProfile& profile, const std::vector<std::vector<CutterPlace>>& passes);
+  /** One list of places per pass; between passes nothing is cut. The tool is \p length long, mm. */
+  SweptHeights(const CutterProfile& profile, double length, const std::vector<std::vector<CutterPlace>>& passes);
 
   /** Least height above \p x along \p normal (unit) that is cut, mm, from -\p most; \p most if none is below it. */
   double over(const Eigen::Vector3d& x, const Eigen::Vector3d& normal, double most) const;
@@ -36,6 +36,7 @@ private:
   bool cuts(const Move& move, const Eigen::Vector3d& x) const;
 
   CutterProfile profile_;
+  double length_;
   std::vector<Move> moves_;
   double cell_ = 0.0; ///< mm
   std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;

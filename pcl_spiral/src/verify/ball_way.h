@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/prism.h>
+#include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include <pcl/point_types.h>
@@ -16,9 +17,6 @@
 #include <vector>
 
 namespace pcl_spiral {
-
-/** Length of the shank above the ball's centre, radii: it is taken as thick as the ball. */
-constexpr double shank_radii = 10.0;
 
 /** Where the ball is deepest in something. */
 struct BallEntry {

@@ -37,7 +37,7 @@ files(Job& job)
        placeOption("view-point", view_point_help, job.view_point)}};
   addOptions(group, readOptions(job));
   addOptions(group, scanOptions(job));
-  addOptions(group, placeOptions(job.choice));
+  addOptions(group, regionOptions(job.choice, job.regions));
   addOptions(group, {clustersOption(job.choice)});
   addOptions(group, {configOption(job)});
   return group;

@@ -28,6 +28,8 @@ addPath(HtmlPage& page, const Job& job, const Result& result)
                 {"Machining time at the feed", formatted("%.1f min at %g mm/min", result.length / job.feed, job.feed)},
                 {"Locations", formatted("%zu, %zu of them added between others", result.poseCount(), result.bisection.inserted)},
                 {"Largest error of a move", formatted("%.3g mm", result.bisection.largest_error)}};
+  for (const RegionPasses& region : result.regions)
+    rows.push_back({region.name, formatted("%zu passes, %zu locations", region.passes, region.locations)});
   if (job.drive.kind == DriveKind::Planes)
     rows.push_back({"Rows", formatted("%zu, %.4g to %.4g mm apart", d.rows, d.smallest_step, d.step_over)});
   else if (job.drive.kind != DriveKind::Curve)
@@ -35,8 +37,8 @@ addPath(HtmlPage& page, const Job& job, const Result& result)
   for (std::size_t i = 0; i < location_states; ++i)
     if (f.states[i] > 0)
       rows.push_back({formatted("Locations: %s", nameOf(static_cast<LocationState>(i))), std::to_string(f.states[i])});
-  if (result.kept_out > 0)
-    rows.push_back({"Locations left out because of keep-outs", std::to_string(result.kept_out)});
+  if (const LeftOutLocations& left = result.left_out; left.count() > 0)
+    rows.push_back({"Locations left out because of keep-outs and the scan beside the part", std::to_string(left.count())});
   if (f.collisions > 0)
     rows.push_back({"Collisions of shank or holder", formatted("%zu, up to %.4g mm deep", f.collisions, f.deepest_collision)});
   if (result.program)

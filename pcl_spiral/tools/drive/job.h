@@ -5,6 +5,7 @@
 #pragma once
 
 #include "passes/pass_job.h"
+#include "terminal/region_choice.h"
 
 #include <pcl_spiral/drive/drive_settings.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
@@ -23,4 +24,5 @@ struct Job : PassJob {
   Eigen::Vector3d column_centre = Eigen::Vector3d::Zero(); ///< a place on it
   double scallop = 0.0;                                    ///< instead of a step-over
   bool one_way = false;
+  RegionChoice regions; ///< several of them are cut one after the other
 };

@@ -83,7 +83,8 @@ completeScallop(Job& job)
 void
 requireMeshMeant(const Job& job)
 {
-  for (const char* option : {"columns", "leave-out-strays", "largest", "thin", "view-point", "part-at", "crop", "keep-out", "clusters"})
+  for (const char* option :
+       {"columns", "leave-out-strays", "largest", "thin", "view-point", "part-at", "region", "crop", "keep-out", "clusters"})
     if (job.mesh && isGiven(job, option))
       throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh uses the faces of a mesh; leave one of them out");
   for (const char* option : {"crease-angle", "no-gouge-check"})
@@ -102,6 +103,8 @@ requireMeshMeant(const Job& job)
                      "down to it; leave it out");
   if (job.no_gouge_check && !job.holder.empty())
     throw UsageError("--no-gouge-check: a --holder is given, and only that check looks at the holder; leave one of them out");
+  if (job.no_gouge_check && (isGiven(job, "max-retilt") || isGiven(job, "ceiling")))
+    throw UsageError("--no-gouge-check: --max-retilt and --ceiling belong to that check; leave it or them out");
 }
 
 void
@@ -124,6 +127,8 @@ completePath(Job& job)
     throw UsageError("--drive curve: no --curve is given; give a file with the points of the curve in order");
   if (!is_curve && !job.curve_file.empty())
     throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve, or leave --curve out");
+  if (is_curve && job.regions.several())
+    throw UsageError("--drive curve: the same curve would be followed over each region; give one region, or --drive planes");
   if (job.column_axis && !(job.column_axis->norm() > 0.0))
     throw UsageError("--column-axis: three zeros are no direction; give one such as 0,0,1");
   if (is_curve)
@@ -159,6 +164,9 @@ completeJob(Job& job)
   completeCutter(job);
   completePath(job);
   checkTool(job);
-  checkOutputs(job, filesOf(job), {{"the scan", job.scan}, {"the curve", job.curve_file}}, {".html"});
+  std::vector<InputName> inputs{{"the scan", job.scan}, {"the curve", job.curve_file}};
+  for (const std::string& file : job.regions.polygons)
+    inputs.push_back({"a region", file});
+  checkOutputs(job, filesOf(job), inputs, {".html"});
   checkProgram(job.program, job.outputs, job.given);
 }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 #include "column_ends.h"
+#include "joined_drives.h"
 #include "mesh_part.h"
 #include "passes/cutter_locations.h"
 #include "passes/free_passes.h"
+#include "passes/left_out.h"
 #include "passes/mesh_samples.h"
 #include "passes/pass_axes.h"
 #include "passes/scan_surface.h"
 #include "program/program_check.h"
 #include "scallop_check.h"
+#include "terminal/region_choice.h"
 #include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
@@ -90,15 +93,13 @@ warnOfPath(const Job& job, Result& result)
   result.warnings = inOptions(warnings);
 }
 
-} // namespace
-
+/** The passes over the region that job.choice chooses. */
 Result
-plan(const Job& job)
+planned(const Job& job, ProgressBar& bar)
 {
-  ProgressBar bar(job.quiet);
   Result result;
   StageClock clock(result.stages);
-  Surface::ConstPtr surface;
+  Surface::ConstPtr& surface = result.surface;
   if (job.mesh) {
     bar.update(0.0, "reading " + job.scan);
     readMeshPart(job, result);
@@ -117,8 +118,9 @@ plan(const Job& job)
   std::vector<ToolLocations> located = job.no_gouge_check ? standAtContacts(job, passes) : locateCutter(job, surface, passes, bar, result);
   clock.end("locations");
   bar.clear();
-  leaveKeepOuts(job, located, result);
-  requireNoCollision(job, located, result.locations);
+  leaveOut(job, located, result);
+  requireNoCollision(job, located);
+  requireKnownEnd(job, located);
   takePoses(CutterProfile(job.cutter), located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no pass has two cutter locations over the part; check the drive path and the tool axis");
@@ -129,4 +131,20 @@ plan(const Job& job)
   warnOfPath(job, result);
   clock.end("scallop check");
   return result;
+}
+
+} // namespace
+
+Result
+plan(const Job& job)
+{
+  ProgressBar bar(job.quiet);
+  std::vector<Result> regions;
+  for (const NamedRegion& region : regionsOf(job.choice, job.regions, job.read)) {
+    Job one = job;
+    one.choice = region.part;
+    regions.push_back(inRegion(region.name, [&] { return planned(one, bar); }));
+    regions.back().region = region.name;
+  }
+  return regions.size() == 1 ? std::move(regions.front()) : joined(job, std::move(regions));
 }

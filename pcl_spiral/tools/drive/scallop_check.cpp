@@ -3,6 +3,7 @@
 #include "passes/scan_surface.h"
 
 #include "cutter/swept_heights.h"
+#include "cutter/tool_body.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
@@ -84,7 +85,8 @@ leftOver(const std::vector<Place>& places, const Job& job, const Result& result)
     for (const ToolPose& pose : pass)
       passes.back().push_back({pose.tip, pose.axis});
   }
-  const SweptHeights swept(CutterProfile(job.cutter), passes);
+  const CutterProfile cutter(job.cutter);
+  const SweptHeights swept(cutter, toolLength(cutter, job.holder), passes);
   std::vector<double> left(places.size());
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(places.size()); ++i)

@@ -2,6 +2,7 @@
 #include "cutter_locations.h"
 #include "scan_surface.h"
 
+#include "cutter/tool_body.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/io/file_error.h>
@@ -36,6 +37,9 @@ locateCutter(const PassJob& job, const Surface::ConstPtr& surface, const DrivePa
   location.setCutter(job.cutter);
   location.setHolder(job.holder);
   location.setHolderClearance(job.holder_clearance);
+  location.setCeiling(job.ceiling);
+  location.setMaxRetilt(job.max_retilt);
+  location.setRetiltStep(job.retilt_step);
   location.setContactTolerance(std::min(location.getContactTolerance(), job.tolerance));
   location.setPathTolerance(job.tolerance);
   location.setDrivePasses(passes);
@@ -49,45 +53,53 @@ locateCutter(const PassJob& job, const Surface::ConstPtr& surface, const DrivePa
 }
 
 void
-requireNoCollision(const PassJob& job, const std::vector<ToolLocations>& located, const LocationFigures& figures)
+requireNoCollision(const PassJob& job, const std::vector<ToolLocations>& located)
 {
-  if (figures.collisions == 0 || job.program.accept_collisions)
-    return;
+  const ToolLocation* worst = nullptr;
+  std::size_t count = 0;
   for (const ToolLocations& pass : located)
-    for (const ToolLocation& location : pass)
-      if (location.collision.found() && location.collision.depth >= figures.deepest_collision)
-        throw FileError(job.part, textOf(job.holder[static_cast<std::size_t>(location.collision.segment)].name, " would be ",
-                                         location.collision.depth, " mm deep in the part at ", placeText(location.collision.place),
-                                         ", the tip at ", placeText(location.tip), "; at ", figures.collisions,
-                                         " locations in total: use a longer or thinner tool, another axis, or "
-                                         "--accept-collisions to write the path anyway"));
+    for (const ToolLocation& location : pass) {
+      if (location.state == LocationState::NoCloud || !location.collision.found())
+        continue;
+      ++count;
+      if (!worst || location.collision.depth > worst->collision.depth)
+        worst = &location;
+    }
+  if (!worst || job.program.accept_collisions)
+    return;
+  throw FileError(job.part, textOf(nameOf(worst->collision, job.holder), " would be ", worst->collision.depth, " mm deep in the part at ",
+                                   placeText(worst->collision.place), ", the tip at ", placeText(worst->tip), "; at ", count,
+                                   " locations in total: use a longer or thinner tool, another axis, ",
+                                   job.max_retilt > 0.0 ? "a larger --max-retilt" : "lean the axis by --max-retilt 30",
+                                   ", or --accept-collisions to write the path anyway"));
 }
 
 void
-leaveKeepOuts(const PassJob& job, std::vector<ToolLocations>& located, PassResult& result)
+requireKnownEnd(const PassJob& job, const std::vector<ToolLocations>& located)
 {
-  const CutterProfile cutter(job.cutter);
-  const auto low = [&](const ToolLocation& l) -> Eigen::Vector3d { return l.tip + cutter.cornerRadius() * l.axis; };
-  const auto high = [&](const ToolLocation& l) -> Eigen::Vector3d { return low(l) + job.cutter.flank_length * l.axis; };
-  const auto enters = [&](const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
-    return std::any_of(result.chosen.keep_outs.begin(), result.chosen.keep_outs.end(),
-                       [&](const Prism& prism) { return prism.distance(begin, end) < cutter.radius(); });
-  };
-  for (ToolLocations& pass : located) {
-    const ToolLocation* before = nullptr;
-    for (ToolLocation& l : pass) {
-      if (l.state == LocationState::NoCloud || result.chosen.keep_outs.empty())
+  constexpr double same_axis = 1e-9;
+  const ToolLocation *first = nullptr, *under = nullptr;
+  std::size_t count = 0;
+  bool turns = false;
+  for (const ToolLocations& pass : located)
+    for (const ToolLocation& location : pass) {
+      if (location.state == LocationState::NoCloud)
         continue;
-      const bool moves_in = before && (enters(low(*before), low(l)) || enters(high(*before), high(l)));
-      before = nullptr;
-      if (moves_in || enters(low(l), high(l))) {
-        l.state = LocationState::NoCloud;
-        ++result.kept_out;
-      }
-      else
-        before = &l;
+      first = first ? first : &location;
+      turns = turns || (location.axis - first->axis).norm() > same_axis;
+      count += location.under_scan;
+      under = !under && location.under_scan ? &location : under;
     }
-  }
+  if (!under || job.ceiling > 0.0 || job.program.accept_collisions || (turns && !job.holder.empty()))
+    return; // a warning says it
+  const double length = toolLength(CutterProfile(job.cutter), job.holder);
+  throw FileError(
+      job.part, textOf("at ", count, " locations the scan goes on above the end of the tool, first with the tip at ", placeText(under->tip),
+                       job.holder.empty() ? textOf(", and the tool is taken as ", length, " mm long: give its shank and holder (--holder)")
+                                          : textOf(", ", length, " mm above the tip: what holds the tool would be in it"),
+                       ", let the cutter be lifted over what is there (--ceiling 1000), or, if nothing of the tool is above, "
+                       "say so (--ceiling ",
+                       length, ")"));
 }
 
 void
@@ -120,11 +132,20 @@ warnOfLocations(const PassJob& job, PassResult& result)
 {
   std::vector<std::string>& warnings = result.warnings;
   warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
-  if (result.kept_out > 0)
-    warnings.push_back(textOf(result.kept_out, " locations were left out because the cutter would enter a keep-out there; passes are "
-                                               "interrupted (--keep-out)"));
-  if (result.off_scan > result.kept_out)
-    warnings.push_back(textOf(result.off_scan - result.kept_out,
+  const LeftOutLocations& left = result.left_out;
+  if (left.entering > 0)
+    warnings.push_back(textOf(left.entering, " locations were left out because the cutter would enter a keep-out there; passes are "
+                                             "interrupted (--keep-out)"));
+  if (left.touching > 0)
+    warnings.push_back(textOf(left.touching, " locations were left out because the tool would be up to ", left.deepest,
+                              " mm deep in what stands in a keep-out, first at ", placeText(left.first),
+                              "; passes are interrupted (--keep-out)"));
+  if (left.beside > 0)
+    warnings.push_back(textOf(left.beside, " locations were left out because the tool would be up to ", left.deepest_beside,
+                              " mm deep in the scan beside the part that was chosen, first at ", placeText(left.first_beside),
+                              "; passes are interrupted"));
+  if (result.off_scan > left.count())
+    warnings.push_back(textOf(result.off_scan - left.count(),
                               " locations have no part of the surface below the cutter and were left out; passes are interrupted there"));
   if (result.bisection.unresolved > 0)
     warnings.push_back(textOf(result.bisection.unresolved, " moves exceed the tolerance of ", job.tolerance,

@@ -20,12 +20,11 @@ std::vector<pcl_spiral::ToolLocations> locateCutter(const PassJob& job, const pc
                                                     const pcl_spiral::DrivePasses& passes, ProgressBar& bar, PassResult& result);
 
 /** \throw pcl_spiral::FileError if shank or holder would collide with the part and that is not accepted */
-void requireNoCollision(const PassJob& job, const std::vector<pcl_spiral::ToolLocations>& located,
-                        const pcl_spiral::LocationFigures& figures);
+void requireNoCollision(const PassJob& job, const std::vector<pcl_spiral::ToolLocations>& located);
 
-/** Marks the locations where the cutter enters a keep-out, and those at the end of a move through one, as off the part. The cutter is
- *  taken as a cylinder round its axis; a ball is taken as it is. */
-void leaveKeepOuts(const PassJob& job, std::vector<pcl_spiral::ToolLocations>& located, PassResult& result);
+/** \throw pcl_spiral::FileError if more of the scan is above the end of a tool that is not known to end there: the axis is fixed, or
+ *  there is no holder */
+void requireKnownEnd(const PassJob& job, const std::vector<pcl_spiral::ToolLocations>& located);
 
 /** Puts the passes into \p result without the locations off the part; a pass is cut in two there. */
 void takePoses(const pcl_spiral::CutterProfile& cutter, const std::vector<pcl_spiral::ToolLocations>& located, PassResult& result);

@@ -38,6 +38,12 @@ completeCutter(PassJob& job)
 {
   completeCutter(isGiven(job, "corner-radius"), job.cutter);
   checkHolder(job.given, job.holder, job.holder_clearance, job.cutter.flank_length);
+  requireOption(job.ceiling > 0.0 || !isGiven(job, "ceiling"), "ceiling", job.ceiling, "must be above 0 mm, such as 60");
+  requireOption(job.max_retilt >= 0.0 && job.max_retilt <= 90.0, "max-retilt", job.max_retilt, "must be from 0 to 90 degrees, such as 30");
+  requireOption(job.retilt_step > 0.0 && job.retilt_step <= 180.0, "retilt-step", job.retilt_step,
+                "must be above 0 and at most 180 degrees, such as 3");
+  if (isGiven(job, "retilt-step") && !(job.max_retilt > 0.0))
+    throw UsageError("--retilt-step: no --max-retilt is given; give one, or leave it out");
 }
 
 void

@@ -36,6 +36,9 @@ struct PassJob {
   pcl_spiral::CutterShape cutter;
   std::vector<pcl_spiral::ToolSegment> holder;
   double holder_clearance = 0.0;
+  double ceiling = 0.0;        ///< mm above the drive point, from where the cutter comes; 0: the length of the tool
+  double max_retilt = 0.0;     ///< degrees; 0: axes are not turned
+  double retilt_step = 3.0;    ///< degrees from one location to the next
   double tolerance = 0.01;     ///< between locations
   double axis_smoothing = 0.0; ///< mm along the path; 0: none
   double max_axis_rate = 0.0;  ///< degrees per mm; 0: no limit

@@ -46,11 +46,19 @@ cutterOptions(PassJob& job, const std::string& need)
       "Cutter (mm, degrees): tapered bull-nose and its special cases",
       {numberOption("tool-radius", "R", "radius at the upper end of the flank; " + need + ": --tool-radius 6", job.cutter.radius),
        numberOption("corner-radius", "r", corner_radius_help, job.cutter.corner_radius),
-       numberOption("flank-length", "L", "length of the cutting flank, along the flank; default 0: --flank-length 20",
+       numberOption("flank-length", "L",
+                    "length of the cutting flank along its slant, without the tip: from the end of the corner to where the radius is R; "
+                    "default 0: --flank-length 20",
                     job.cutter.flank_length),
        numberOption("flank-angle", "A", flank_angle_help, job.cutter.flank_angle)}};
   addOptions(group, holderOptions(job.holder, job.holder_clearance));
-  addOptions(group, {numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)});
+  addOptions(group,
+             {numberOption("ceiling", "L",
+                           "the cutter comes from this far above the surface, along its axis: what is higher, such as the opposite "
+                           "wall of a bore, does not lift it; default the length of cutter and holder, without --holder ten radii or, "
+                           "if the axis is fixed, no limit: --ceiling 60",
+                           job.ceiling),
+              numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)});
   return group;
 }
 
@@ -70,6 +78,13 @@ axisOptions(PassJob& job)
                        "smooths changes of the axis shorter than this along a pass, by up to 20 degrees on average; default 0, "
                        "no smoothing: --axis-smoothing 20",
                        job.axis_smoothing),
+          numberOption("max-retilt", "A",
+                       "where the holder would collide, or the cutter be lifted off its contact on a mesh, turn the axis by up to this, "
+                       "degrees; default 0, not at all: --max-retilt 30",
+                       job.max_retilt),
+          numberOption("retilt-step", "A",
+                       "largest change of that turn from one point of a pass to the next, degrees; default 3: --retilt-step 1",
+                       job.retilt_step),
           numberOption("max-axis-rate", "D", "largest turn of the axis, degrees per mm; default 0, no limit: --max-axis-rate 4",
                        job.max_axis_rate)};
 }

@@ -26,10 +26,21 @@ locationsOf(const PassResult& result)
 {
   const LocationFigures& f = result.locations;
   const BisectionFigures& b = result.bisection;
-  return {{"count", result.poseCount()},         {"put_in", b.inserted},       {"largest_error", b.largest_error},
-          {"unresolved_moves", b.unresolved},    {"states", statesOf(f)},      {"off_scan", result.off_scan},
-          {"kept_out", result.kept_out},         {"over_rim", f.over_rim},     {"retilted", f.retilted},
-          {"largest_retilt", f.largest_retilt},  {"collisions", f.collisions}, {"deepest_collision", f.deepest_collision},
+  return {{"count", result.poseCount()},
+          {"put_in", b.inserted},
+          {"largest_error", b.largest_error},
+          {"unresolved_moves", b.unresolved},
+          {"states", statesOf(f)},
+          {"off_scan", result.off_scan},
+          {"kept_out", result.left_out.entering + result.left_out.touching},
+          {"touching_keep_outs", result.left_out.touching},
+          {"touching_beside", result.left_out.beside},
+          {"under_scan", f.under_scan},
+          {"over_rim", f.over_rim},
+          {"retilted", f.retilted},
+          {"largest_retilt", f.largest_retilt},
+          {"collisions", f.collisions},
+          {"deepest_collision", f.deepest_collision},
           {"noise_allowance", f.noise_allowance}};
 }
 

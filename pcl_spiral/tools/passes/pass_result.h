@@ -17,6 +17,17 @@
 #include <string>
 #include <vector>
 
+/** Locations left out because of what is not to be cut. Depths in mm. */
+struct LeftOutLocations {
+  std::size_t entering = 0; ///< the cutter would enter a keep-out
+  std::size_t touching = 0; ///< the tool would touch what stands in a keep-out
+  std::size_t beside = 0;   ///< the tool would touch the scan beside the part
+  double deepest = 0.0, deepest_beside = 0.0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero(), first_beside = Eigen::Vector3d::Zero(); ///< places touched
+
+  std::size_t count() const { return entering + touching + beside; }
+};
+
 /** Passes and their figures. */
 struct PassResult {
   pcl_spiral::Scan scan;                               ///< of a mesh: its samples, if they were needed
@@ -25,11 +36,11 @@ struct PassResult {
   pcl_spiral::SurfaceMesh::ConstPtr mesh;              ///< the part if it is a mesh; null for a scan
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with the outliers that were left out
   ChosenPart chosen;                                   ///< of the scan
-  std::size_t kept_out = 0;                            ///< locations left out because of keep-outs
+  LeftOutLocations left_out;
   pcl_spiral::LocationFigures locations;
   pcl_spiral::BisectionFigures bisection;
   std::vector<pcl_spiral::ToolPoses> passes; ///< in travel order, without locations off the part
-  std::size_t off_scan = 0;                  ///< locations left out: no part of the surface below the cutter
+  std::size_t off_scan = 0;                  ///< locations left out: no part of the surface below the cutter, and those of left_out
   double length = 0.0;                       ///< of the tip's path along all passes, mm
   std::vector<pcl_spiral::StageCost> stages;
   std::vector<std::string> warnings;

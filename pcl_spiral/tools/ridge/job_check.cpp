@@ -83,7 +83,9 @@ checkBeam(Job& job)
 {
   requireOption(job.tolerance > 0.0, "tolerance", job.tolerance, "must be above 0 mm, such as 0.01");
   job.rows.chord_error = job.tolerance;
-  refuse(job, {"corner-radius", "flank-length", "flank-angle", "holder", "holder-clearance", "accept-collisions", "scallop", "pole-cone"},
+  refuse(job,
+         {"corner-radius", "flank-length", "flank-angle", "holder", "holder-clearance", "ceiling", "max-retilt", "retilt-step",
+          "accept-collisions", "scallop", "pole-cone"},
          "belongs to a cutter, and no --tool-radius is given; give it for a cutter, or leave this option out for a beam");
   if (isGiven(job, "tool-radius"))
     requireOption(job.cutter.radius > 0.0, "tool-radius", job.cutter.radius, "must be above 0 mm; for a beam leave it out");

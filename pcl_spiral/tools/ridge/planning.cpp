@@ -132,7 +132,8 @@ void
 takeCutter(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& rows, ProgressBar& bar, Result& result)
 {
   const std::vector<ToolLocations> located = locateCutter(job, surface, rows, bar, result);
-  requireNoCollision(job, located, result.locations);
+  requireNoCollision(job, located);
+  requireKnownEnd(job, located);
   takePoses(CutterProfile(job.cutter), located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no row has two cutter locations over the part: check that lines and scan are in the same coordinates");

@@ -8,7 +8,7 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 70> words{{
+constexpr std::array<std::pair<const char*, const char*>, 73> words{{
     {"setFixedAxis", "--axis"},
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
@@ -50,6 +50,9 @@ constexpr std::array<std::pair<const char*, const char*>, 70> words{{
     {"setAxisSmoothing", "--axis-smoothing"},
     {"setMaxAxisRate", "--max-axis-rate"},
     {"setRows", "--rows"},
+    {"setCeiling", "--ceiling"},
+    {"setMaxRetilt", "--max-retilt"},
+    {"setRetiltStep", "--retilt-step"},
     {"setChordError", "--chord-error"},
     {"setReferenceNormal", "--reference"},
     {"setMeasuringError", "--measuring-error"},

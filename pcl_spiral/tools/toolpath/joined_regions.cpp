@@ -4,13 +4,10 @@
 #include "joined_report.h"
 #include "program/program_check.h"
 #include "region_links.h"
-
-#include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/io/file_error.h>
+#include "terminal/region_overlap.h"
 
 #include <array>
 #include <cmath>
-#include <map>
 
 using namespace pcl_spiral;
 
@@ -31,26 +28,6 @@ pointsOf(const Result& region)
       if (pcl::isFinite(p))
         points.push_back({p.x, p.y, p.z});
   return points;
-}
-
-/** \throw pcl_spiral::FileError if two regions have points in common: they would be cut twice */
-void
-requireApart(const Job& job, const std::vector<Result>& regions)
-{
-  std::map<std::array<float, 3>, std::size_t> owners;
-  for (std::size_t k = 0; k < regions.size(); ++k) {
-    std::map<std::size_t, std::size_t> shared;
-    std::array<float, 3> place{};
-    for (const auto& point : pointsOf(regions[k])) {
-      const std::size_t owner = owners.emplace(point, k).first->second;
-      if (owner != k && shared[owner]++ == 0)
-        place = point;
-    }
-    for (const auto& [owner, count] : shared)
-      throw FileError(job.scan, textOf(regions[owner].region, " and ", regions[k].region, " have ", count, " points in common, one at ",
-                                       placeText(Eigen::Vector3d(place[0], place[1], place[2])),
-                                       ": they would be cut twice; leave one of the two out, or make the polygons smaller"));
-  }
 }
 
 /** Adds the path of \p region; arc lengths and turns continue, and the arc length does not grow on the way to it. */
@@ -82,14 +59,18 @@ addStage(const StageCost& stage, std::vector<StageCost>& stages)
 Result
 joined(const Job& job, const Result& input, std::vector<Result> regions)
 {
-  requireApart(job, regions);
+  std::vector<RegionPoints> points;
+  for (const Result& region : regions)
+    points.push_back({region.region, pointsOf(region)});
+  requireApart(job.scan, points);
   Result all = input;
   all.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   all.settings = regions.front().settings;
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  for (const Result& region : regions) {
-    for (const auto& [x, y, z] : pointsOf(region))
+  for (const RegionPoints& region : points)
+    for (const auto& [x, y, z] : region.points)
       cloud->emplace_back(x, y, z);
+  for (const Result& region : regions) {
     addPath(region, *all.path);
     all.echoes.insert(all.echoes.end(), region.echoes.begin(), region.echoes.end());
     const auto first = region.scan.warnings.begin() + static_cast<std::ptrdiff_t>(input.scan.warnings.size());

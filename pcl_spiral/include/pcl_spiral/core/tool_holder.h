@@ -9,6 +9,16 @@
 
 namespace pcl_spiral {
 
+/** Part of the tool. */
+enum class ToolPart {
+  Cutter, ///< up to the top of its flank
+  Shank,  ///< above the cutter, as wide as the cutter, if no holder is given or as far as it is not
+  Holder  ///< what setHolder gives above the cutter
+};
+
+/** Length of the shank above the centre of a ball whose holder is not known, in radii: it is taken as thick as the ball. */
+constexpr double shank_radii = 10.0;
+
 /** A conical frustum about the tool axis; a cylinder if both radii are the same. */
 struct ToolSegment {
   double lower_radius = 0.0; ///< mm, at the end towards the cutter

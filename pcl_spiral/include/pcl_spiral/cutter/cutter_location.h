@@ -75,12 +75,30 @@ public:
   void setHolderClearance(double clearance) { options_.holder_clearance = clearance; }
   double getHolderClearance() const { return options_.holder_clearance; } ///< The value of setHolderClearance.
 
+  /** From how far above the drive point, along the axis, the cutter comes down, mm: what is higher does not hold it up, such as the
+   *  opposite wall of a bore, or a roof. Measured from the tip where the cutter touches at the contact asked for, or from the drive
+   *  point. Must not be below the top of the flank. Infinite: from above everything. 0, the default: the length of cutter and holder.
+   *  Without a holder it is ten radii above the centre of the ball (of the corner), or infinite if all axes are the same: such a tool
+   *  comes from above everything.
+   *
+   *  What is above the ceiling and in the cutter, or in a shank as wide if there is no holder, is reported as a collision, as for the
+   *  holder. If more of the scan is above the end of the tool, ToolLocation::under_scan is set. */
+  void setCeiling(double ceiling) { ceiling_ = ceiling; }
+  double getCeiling() const { return ceiling_; } ///< The value of setCeiling.
+
   /** Largest angle by which the axis may turn where the contact asked for is not reached or the holder
    *  collides, degrees, up to 90. 0, the default: the cutter is lifted instead. The smallest of six
-   *  angles that helps is taken. Each point is treated separately: neighbouring axes may differ by as
-   *  much as this angle. Drive points must ask for contacts: refused if none of them has a normal. */
+   *  angles that helps is taken. Each point is treated separately, unless setRetiltStep is called: neighbouring axes may differ by as
+   *  much as this angle. Drive points must then ask for contacts: refused if none of them has a normal. */
   void setMaxRetilt(double degrees) { options_.max_retilt = degrees; }
   double getMaxRetilt() const { return options_.max_retilt; } ///< The value of setMaxRetilt.
+
+  /** Largest change of that turn from one drive point of a pass to the next, degrees: between them the axis turns by no more than
+   *  this and the turn of the axes asked for. The turn then begins before the place that needs it and ends after it. Where no
+   *  contact is asked for, axes turn about the contact that the cutter touches, where the holder collides. 0, the default: no limit, each
+   *  point is treated separately, which suits single points. */
+  void setRetiltStep(double degrees) { options_.retilt_step = degrees; }
+  double getRetiltStep() const { return options_.retilt_step; } ///< The value of setRetiltStep.
 
   /** Adds locations between the drive points until no straight move of the cutter cuts deeper into the
    *  surface than this, mm, or leaves more than this. 0, the default: none. \see bisectLocations */
@@ -118,11 +136,14 @@ public:
 
 private:
   Status check() const;
+  LocationOptions optionsWithCeiling() const;
   Status makeLocationSurface();
   Status makeLocationMesh();
   Status checkBesideMesh() const;
   Status run(std::vector<ToolLocations>& passes);
   Status locate(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes);
+  Status retilt(const CutterLocationEngine& locator, double margin, std::vector<ToolLocations>& passes) const;
+  Status bisect(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes, BisectionFigures& figures) const;
   std::vector<ToolLocations> inPasses(const ToolLocations& locations) const;
   void forgetMade() override
   {
@@ -133,6 +154,7 @@ private:
   DrivePoints drive_points_; ///< of all passes
   std::vector<std::size_t> pass_sizes_;
   double path_tolerance_ = 0.0;
+  double ceiling_ = 0.0;
   CutterShape cutter_;
   LocationOptions options_;
   ProgressCallback progress_;

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/tool_holder.h>
+
 #include <Eigen/Core>
 
 #include <array>
@@ -49,14 +51,15 @@ enum class LocationBasis {
 };
 constexpr std::size_t location_bases = 4; ///< Number of bases.
 
-/** The point that is deepest in the shank or holder. Lengths in mm. */
+/** The point that is deepest in the shank or holder, or of those above the ceiling in the cutter. Lengths in mm. */
 struct HolderCollision {
-  int segment = -1;                                ///< number of the part, from the cutter upwards; -1: none
-  double depth = 0.0;                              ///< shortest way out of it, clearance included
+  ToolPart part = ToolPart::Holder;                ///< that it is in
+  int segment = -1;                                ///< of the holder, from the cutter upwards; -1: none, or cutter or shank
+  double depth = 0.0;                              ///< shortest way out of it, clearance included; 0: none
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< the point
   std::uint32_t cloud_index = 0;                   ///< of the point, in the input cloud
 
-  bool found() const { return segment >= 0; } ///< Whether there is a collision.
+  bool found() const { return depth > 0.0; } ///< Whether there is a collision.
 };
 
 /** A place of the cutter without gouge. Lengths in mm, along the tool axis unless stated otherwise. */
@@ -78,7 +81,8 @@ struct ToolLocation {
   std::uint32_t cloud_index = 0; ///< of the point that a cutter on the points only touches first; on a
                                  ///< mesh, of the touched face, among the faces of its SurfaceMesh
   double retilt = 0.0;           ///< degrees between the axis asked for and axis
-  HolderCollision collision;     ///< of the shank or holder with the scan
+  HolderCollision collision;     ///< of the shank or holder with the scan, and of the cutter with what is above the ceiling
+  bool under_scan = false;       ///< the scan goes on above the end of the tool, within its largest radius of the axis
 };
 
 using ToolLocations = std::vector<ToolLocation>; ///< Locations in the order of their drive points.
@@ -90,6 +94,8 @@ struct LocationFigures {
   std::size_t over_rim = 0;                          ///< locations over the rim or over a gap
   std::size_t retilted = 0;                          ///< locations whose axis was turned
   std::size_t collisions = 0;                        ///< locations where shank or holder collide
+  std::size_t under_scan = 0;                        ///< locations with more of the scan above the end of the tool
+  std::size_t first_under_scan = 0;                  ///< index of the first of them
   double least_rim_clearance = 0.0;                  ///< of the locations over the rim
   double largest_retilt = 0.0;                       ///< degrees
   double deepest_collision = 0.0;                    ///< mm
@@ -119,6 +125,8 @@ struct BisectionFigures {
 
 /** The name in words: "reached", "lifted". */
 const char* nameOf(LocationState state);
+/** What of the tool is in the scan: a segment of \p holder by its name, or the cutter. */
+std::string nameOf(const HolderCollision& collision, const std::vector<ToolSegment>& holder);
 const char* nameOf(LocationBasis basis); ///< The same for a basis: "fitted surface", "points".
 
 } // namespace pcl_spiral

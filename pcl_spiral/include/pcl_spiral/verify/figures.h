@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/machine/machine_program.h>
 
 #include <Eigen/Core>
@@ -119,13 +120,6 @@ struct RemovalFigures {
   double fit_noise = 0.0;            ///< see ReferenceSurface::fitNoise; heights below three times this are not known
   double seconds = 0.0;              ///< wall time of the measurement
   std::vector<std::string> warnings; ///< in full sentences, with the remedy
-};
-
-/** Part of the tool. */
-enum class ToolPart {
-  Cutter, ///< up to the top of its flank
-  Shank,  ///< above the cutter, as wide as the cutter, without an end
-  Holder  ///< what setHolder gives above the cutter
 };
 
 /** A place where the tool would be in the scan. Lengths in mm. */

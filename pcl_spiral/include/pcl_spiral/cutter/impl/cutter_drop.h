@@ -64,12 +64,15 @@ struct DropContact {
  *  is beyond the cutter's radius, or too low to be touched. The blocks must outlive it. */
 class CutterDrop {
 public:
-  CutterDrop(const PointBlocks& blocks, const CutterProfile& profile) : blocks_(blocks), profile_(profile) {}
+  /** The cutter comes from \p ceiling along the axis, measured from the frame's origin: points above it do not count. */
+  CutterDrop(const PointBlocks& blocks, const CutterProfile& profile, double ceiling = std::numeric_limits<double>::infinity())
+  : blocks_(blocks), profile_(profile), ceiling_(ceiling)
+  {}
 
   const PointBlocks& blocks() const { return blocks_; }
   const CutterProfile& profile() const { return profile_; }
 
-  /** The location without gouge: of all points within R of the axis, the highest foot on the
+  /** The location without gouge: of all points within R of the axis and not above the ceiling, the highest foot on the
    *  axis minus the height of the profile. Only points that hold the tip above \p floor count. */
   DropContact highest(const AxisFrame& frame, double floor = -std::numeric_limits<double>::infinity()) const
   {
@@ -96,14 +99,14 @@ public:
     const auto keep = [&](const Box& box) {
       const AxisBox seen = view.see(box);
       const double nearest = std::max(0.0, seen.nearest - slack);
-      return nearest <= R && seen.high - profile_.height(nearest) + slack >= floor;
+      return nearest <= R && seen.low - slack <= ceiling_ && std::min(seen.high, ceiling_) - profile_.height(nearest) + slack >= floor;
     };
     blocks_.forBlocks(keep, [&](std::size_t block) {
       for (std::size_t i = blocks_.blockBegin(block); i < blocks_.blockEnd(block); ++i) {
         const Eigen::Vector3d p = blocks_.position(i);
-        const double l = frame.across(p).norm();
-        if (l <= R)
-          visit(static_cast<std::uint32_t>(i), frame.along(p) - profile_.height(l));
+        const double l = frame.across(p).norm(), along = frame.along(p);
+        if (l <= R && along <= ceiling_)
+          visit(static_cast<std::uint32_t>(i), along - profile_.height(l));
       }
     });
   }
@@ -111,6 +114,7 @@ public:
 private:
   const PointBlocks& blocks_;
   CutterProfile profile_;
+  double ceiling_;
 };
 
 } // namespace pcl_spiral

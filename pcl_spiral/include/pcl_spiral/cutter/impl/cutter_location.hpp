@@ -49,17 +49,34 @@ CutterLocation<PointT>::check() const
     return {StatusCode::InvalidArgument, fault};
   if (!(options_.holder_clearance >= 0.0) || !std::isfinite(options_.holder_clearance))
     return {StatusCode::InvalidArgument, textOf("the holder's clearance is ", options_.holder_clearance, " mm; set it to 0 or more")};
+  if (const CutterProfile profile(cutter_); !(ceiling_ == 0.0 || ceiling_ >= profile.topHeight()))
+    return {StatusCode::InvalidArgument,
+            textOf("the ceiling is ", ceiling_, " mm above the drive points, but the cutter is ", profile.topHeight(),
+                   " mm high; set it above that, or to 0 for the length of the tool (setCeiling)")};
   if (!(options_.max_retilt >= 0.0) || !(options_.max_retilt <= 90.0))
     return {StatusCode::InvalidArgument, textOf("the largest retilt is ", options_.max_retilt, " degrees; set it between 0 and 90")};
+  if (!(options_.retilt_step >= 0.0) || !(options_.retilt_step <= 180.0))
+    return {StatusCode::InvalidArgument,
+            textOf("the largest retilt from one location to the next is ", options_.retilt_step, " degrees; set it between 0 and 180")};
   if (!(path_tolerance_ >= 0.0) || !std::isfinite(path_tolerance_))
     return {StatusCode::InvalidArgument, textOf("the path tolerance is ", path_tolerance_, " mm; set it above 0, or to 0 for none")};
   const bool asked =
       std::any_of(drive_points_.begin(), drive_points_.end(), [](const DrivePoint& p) { return p.normal.squaredNorm() > 0.0; });
-  if (options_.max_retilt > 0.0 && !drive_points_.empty() && !asked)
+  if (options_.max_retilt > 0.0 && options_.retilt_step == 0.0 && !drive_points_.empty() && !asked)
     return {StatusCode::InvalidArgument, textOf("axes may turn by ", options_.max_retilt,
                                                 " degrees for contacts to be reached, but no drive point "
-                                                "asks for one: give drive points their normals, or set the largest retilt to 0")};
+                                                "asks for one: give drive points their normals, limit the change of the turn along passes "
+                                                "(setRetiltStep), or set the largest retilt to 0")};
   return checkDrivePoints(drive_points_);
+}
+
+template <typename PointT>
+LocationOptions
+CutterLocation<PointT>::optionsWithCeiling() const
+{
+  LocationOptions options = options_;
+  setCeilingAndLength(CutterProfile(cutter_), drive_points_, ceiling_, options);
+  return options;
 }
 
 template <typename PointT>
@@ -131,8 +148,9 @@ CutterLocation<PointT>::run(std::vector<ToolLocations>& passes)
   if (const Status status = this->on_mesh_ ? makeLocationMesh() : makeLocationSurface(); !status.ok())
     return status;
   const CutterProfile profile(cutter_);
-  return locate(this->on_mesh_ ? CutterLocationEngine(*location_mesh_, profile, options_)
-                               : CutterLocationEngine(*location_surface_, profile, options_),
+  const LocationOptions options = optionsWithCeiling();
+  return locate(this->on_mesh_ ? CutterLocationEngine(*location_mesh_, profile, options)
+                               : CutterLocationEngine(*location_surface_, profile, options),
                 passes);
 }
 
@@ -140,23 +158,59 @@ template <typename PointT>
 Status
 CutterLocation<PointT>::locate(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes)
 {
-  const bool bisected = path_tolerance_ > 0.0;
+  constexpr double margins[] = {0.1, 0.5, 2.0}; // mm between holder and scan at the drive points, for what is between them
+  const double share = path_tolerance_ > 0.0 ? 0.5 : 1.0;
   ToolLocations locations;
-  if (const Status status = locator.locate(drive_points_, partOf(progress_, 0.0, bisected ? 0.5 : 1.0), locations); !status.ok())
+  if (const Status status = locator.locate(drive_points_, partOf(progress_, 0.0, share), locations); !status.ok())
     return status;
-  std::vector<ToolLocations> located = inPasses(locations);
-  if (bisected) {
-    BisectionSettings settings;
-    settings.tolerance = path_tolerance_;
-    if (const Status status = bisectLocations(locator, settings, partOf(progress_, 0.5, 1.0), located, bisection_figures_); !status.ok())
+  const bool turns = options_.max_retilt > 0.0 && options_.retilt_step > 0.0;
+  for (const double margin : margins) {
+    std::vector<ToolLocations> located = inPasses(locations);
+    BisectionFigures bisection;
+    if (const Status status = turns ? retilt(locator, margin, located) : Status::success(); !status.ok())
       return status;
-    locations.clear();
+    if (const Status status = bisect(locator, located, bisection); !status.ok())
+      return status;
+    ToolLocations all;
     for (const ToolLocations& pass : located)
-      locations.insert(locations.end(), pass.begin(), pass.end());
+      all.insert(all.end(), pass.begin(), pass.end());
+    LocationFigures figures = locator.figures(all);
+    if (passes.empty() || figures.collisions < figures_.collisions) {
+      passes = std::move(located);
+      figures_ = std::move(figures);
+      bisection_figures_ = bisection;
+    }
+    if (!turns || figures_.collisions == 0)
+      break;
   }
-  figures_ = locator.figures(locations);
-  passes = std::move(located);
   return Status::success();
+}
+
+/** Turns axes along each pass. */
+template <typename PointT>
+Status
+CutterLocation<PointT>::retilt(const CutterLocationEngine& locator, double margin, std::vector<ToolLocations>& passes) const
+{
+  std::size_t first = 0;
+  for (ToolLocations& pass : passes) {
+    if (progress_ && !progress_(path_tolerance_ > 0.0 ? 0.5 : 1.0, "axes"))
+      return {StatusCode::Cancelled, "cancelled"};
+    locator.retiltPass(&drive_points_[first], margin, pass.size(), pass.data());
+    first += pass.size();
+  }
+  return Status::success();
+}
+
+/** Adds locations between those of \p passes, if there is a tolerance. */
+template <typename PointT>
+Status
+CutterLocation<PointT>::bisect(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes, BisectionFigures& figures) const
+{
+  if (path_tolerance_ == 0.0)
+    return Status::success();
+  BisectionSettings settings;
+  settings.tolerance = path_tolerance_;
+  return bisectLocations(locator, settings, partOf(progress_, 0.5, 1.0), passes, figures);
 }
 
 template <typename PointT>
@@ -192,6 +246,8 @@ CutterLocation<PointT>::compute(std::vector<ToolLocations>& passes)
   bisection_figures_ = BisectionFigures();
   location_surface_.reset();
   this->status_ = run(passes);
+  if (!this->status_.ok())
+    passes.clear();
   this->tellFailure("CutterLocation");
 }
 

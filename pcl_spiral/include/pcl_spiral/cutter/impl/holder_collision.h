@@ -8,6 +8,8 @@
 #include <pcl_spiral/cutter/impl/cutter_drop.h>
 #include <pcl_spiral/cutter/tool_location.h>
 
+#include <limits>
+
 namespace pcl_spiral {
 
 /** How far a tool may be from a place where it is looked at. */
@@ -23,8 +25,10 @@ struct ToolSway {
 double farthestCorner(const Box& box, const Eigen::Vector3d& place);
 
 /** The deepest point of \p blocks that is deeper than \p tolerance, with the tip at height \p tip along
- *  the axis of \p frame. The search is exact. cloud_index is that of the original points of the blocks. */
-HolderCollision findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance);
+ *  the axis of \p frame. The search is exact. cloud_index is that of the original points of the blocks. Only points above \p above along
+ *  the axis count. */
+HolderCollision findCollision(const PointBlocks& blocks, const HolderProfile& holder, const AxisFrame& frame, double tip, double tolerance,
+                              double above = -std::numeric_limits<double>::infinity());
 
 /** Whether a point of \p blocks may be deeper than \p tolerance in the holder, with the tip at the origin of \p frame or at any place
  *  within \p sway of it. False only if none is. */
