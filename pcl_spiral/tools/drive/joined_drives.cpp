@@ -97,7 +97,7 @@ joined(const Job& job, std::vector<Result> regions)
   Result all = regions.front();
   all.region.clear();
   all.surface.reset();
-  all.scan.cloud = all.whole_scan;
+  all.scan.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*all.whole_scan);
   all.warnings = ofRegion(regions.front().region, all.warnings);
   all.regions = {{regions.front().region, all.passes.size(), all.poseCount()}};
   for (std::size_t k = 1; k < regions.size(); ++k) {

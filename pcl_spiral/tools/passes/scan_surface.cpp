@@ -69,8 +69,9 @@ surfaceOf(const PassJob& job, ProgressBar& bar, const PassResult& result)
   scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.3 * share, stage); });
   Surface::ConstPtr surface;
   scanned.compute(surface);
-  if (scanned.getStatus().code() == StatusCode::Cancelled)
-    throw Cancelled();
+  const StatusCode code = scanned.getStatus().code();
+  if (code == StatusCode::Cancelled || code == StatusCode::InvalidArgument) // such as a place far from the scan
+    require(job.scan, scanned.getStatus());
   return surface;
 }
 
