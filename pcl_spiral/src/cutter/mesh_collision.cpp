@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace pcl_spiral {
@@ -145,7 +146,8 @@ bool
 mayCollide(const PatchTree& patches, const HolderProfile& holder, const AxisFrame& frame, const ToolSway& sway, double tolerance,
            double sag)
 {
-  return !holder.empty() && CollisionSearch(patches, holder, frame, 0.0, tolerance, sag).anyWithin(sway);
+  return !holder.empty() &&
+         CollisionSearch(patches, holder, frame, 0.0, tolerance, sag, -std::numeric_limits<double>::infinity()).anyWithin(sway);
 }
 
 } // namespace pcl_spiral
