@@ -98,12 +98,12 @@ private:
         take(p, depth, segment, face);
     }
     const double off = flat ? 0.0 : cell.sag();
-    const double low = std::max(cell.corners.row(2).minCoeff() - off, above_), high = cell.corners.row(2).maxCoeff() + off;
-    if (high < low)
+    const double lowest = cell.corners.row(2).minCoeff(), highest = cell.corners.row(2).maxCoeff();
+    if (highest + off < above_)
       return;
     double bound = 0.0;
-    const double reach = sway_.at(cell.corners.colwise().norm().maxCoeff() + off);
-    const int segment = depthWithin(std::max(0.0, (across * nearest).norm() - off), low, high, reach, bound);
+    const double reach = off + sway_.at(cell.corners.colwise().norm().maxCoeff() + off);
+    const int segment = depthWithin((across * nearest).norm(), std::max(lowest, above_ + off), highest, reach, bound);
     if (segment >= 0 && bound > least_ + precision) {
       parts_.push_back({cell, bound, segment, face});
       std::push_heap(parts_.begin(), parts_.end());

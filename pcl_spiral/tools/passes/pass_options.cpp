@@ -52,13 +52,13 @@ cutterOptions(PassJob& job, const std::string& need)
                     job.cutter.flank_length),
        numberOption("flank-angle", "A", flank_angle_help, job.cutter.flank_angle)}};
   addOptions(group, holderOptions(job.holder, job.holder_clearance));
-  addOptions(group, {numberOption(
-                         "ceiling", "L",
-                         "the cutter comes from this far above the surface, along its axis: what is higher, such as the opposite wall of a "
-                         "bore, does not lift it; default the length of cutter and holder, without --holder ten radii or, if the axis is "
-                         "fixed, no limit: --ceiling 60",
-                         job.ceiling),
-                     numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)});
+  addOptions(group,
+             {numberOption("ceiling", "L",
+                           "the cutter comes from this far above the surface, along its axis: what is higher, such as the opposite "
+                           "wall of a bore, does not lift it; default the length of cutter and holder, without --holder ten radii or, "
+                           "if the axis is fixed, no limit: --ceiling 60",
+                           job.ceiling),
+              numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)});
   return group;
 }
 
