@@ -198,7 +198,7 @@ TEST_F(SpiralHolder, TheWholeMeshIsLookedAtNotOnlyThePart)
       text << "f " << a << ' ' << b << ' ' << b + 1 << "\nf " << a << ' ' << b + 1 << ' ' << a + 1 << '\n';
     }
   const int first = (n + 1) * (n + 1) + 1;
-  for (const auto& [y, z] : {std::pair(-30, 10), std::pair(30, 10), std::pair(30, 70), std::pair(-30, 70)})
+  for (const auto& [y, z] : {std::pair(-12, 20), std::pair(12, 20), std::pair(12, 60), std::pair(-12, 60)})
     text << "v " << wall_x << ' ' << y << ' ' << z << '\n';
   text << "f " << first << ' ' << first + 1 << ' ' << first + 2 << "\nf " << first << ' ' << first + 2 << ' ' << first + 3 << '\n';
   writeText(folder.path("part.obj"), text.str());
@@ -211,7 +211,7 @@ TEST_F(SpiralHolder, TheWholeMeshIsLookedAtNotOnlyThePart)
   ASSERT_EQ(made({}).code, 0);
   double nearest = 1e9;
   for (const std::vector<double>& row : columns(readText(folder.path("a.csv")), {"tip_x", "tip_y"}))
-    if (std::abs(row[1]) < 30.0)
+    if (std::abs(row[1]) < 12.0)
       nearest = std::min(nearest, wall_x - row[0]);
   const RunResult refused = made(tool);
   EXPECT_EQ(refused.code, 1);
