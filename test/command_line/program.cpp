@@ -75,10 +75,10 @@ TEST(Program, EveryLanguageAndExchangeFileIsWritten)
     const RunResult done = run(folder, {"-o", dialect + ".nc", "--dialect", dialect, "--machine", machine, "--tool", "3", "--quiet"});
     ASSERT_EQ(done.code, 0) << done.err;
   }
-  const RunResult refused =
+  const RunResult unwinding =
       run(folder, {"-o", "x.nc", "--dialect", "fanuc-ijk", "--machine", machines + "/head_head.yaml", "--tool", "3", "--quiet"});
-  EXPECT_EQ(refused.code, 1);
-  expectHas(refused.err, "C turns back at its limit, and fanuc-ijk has no words for it; use fanuc");
+  EXPECT_EQ(unwinding.code, 1);
+  expectHas(unwinding.err, "C turns back at its limit, and fanuc-ijk has no words for it; use fanuc");
   expectHas(readText(folder.path("linuxcnc.nc")), "G93\n");
   expectHas(readText(folder.path("fanuc.nc")), "G43.4 H3 X");
   expectHas(readText(folder.path("fanuc-ijk.nc")), "G43.5 H3 X");
