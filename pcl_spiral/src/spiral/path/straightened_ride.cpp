@@ -11,6 +11,7 @@ namespace {
 
 constexpr double look_step = 0.05;    // of the radius: between places that are looked at on a straight way
 constexpr double longest_foot = 0.25; // of the radius: the move of a foot for which the axis needs a point
+constexpr int cut_rounds = 3;         // of hairpins: one that is cut may leave a shorter one
 constexpr double evened = 0.1;        // share of the even speed of the feet in that of the ball, so that it never stops
 
 /** Points of a path from the first to the last, both included. */
@@ -193,8 +194,9 @@ Straightening::straight() const
   std::vector<std::size_t> bends(1, 0);
   while (stretch_.first + bends.back() < stretch_.last)
     bends.push_back(farthest(bends.back()));
-  for (std::size_t k = 1; k + 1 < bends.size(); ++k)
-    bends[k] = cutHairpin(bends[k - 1], bends[k], bends[k + 1]);
+  for (int round = 0; round < cut_rounds; ++round)
+    for (std::size_t k = 1; k + 1 < bends.size(); ++k)
+      bends[k] = cutHairpin(bends[k - 1], bends[k], bends[k + 1]);
   RiddenPath straight(1, at(0));
   for (std::size_t k = 1; k < bends.size(); ++k)
     append(bends[k - 1], bends[k], straight);
