@@ -144,10 +144,14 @@ TEST(MachineReader, WithoutRtcpThePlacesOfTheAxesMustBeGiven)
   };
   const std::string c_table = axis("C", "table", "[0, 0, 1]", true), b_head = axis("B", "head", "[0, 1, 0]", true);
   const std::string zero = "work_zero: [1, 2, 3]\n", length = "tool_length: 80\n", none = "rtcp: false\n";
-  expectHas(said("rotary:\n" + axis("C", "table", "[0, 0, 1]", false) + b_head + zero + length + none),
-            "line 2: rtcp: false, so the program depends on point, and none is given; give point: [0, 0, 0], on the axis C");
-  expectHas(said("rotary:\n" + c_table + b_head + length + none), "depends on work_zero, and none is given; give work_zero: [0, 0, 0]");
-  expectHas(said("rotary:\n" + c_table + b_head + zero + none), "depends on tool_length, and none is given; give tool_length: 120");
+  expectHas(
+      said("rotary:\n" + axis("C", "table", "[0, 0, 1]", false) + b_head + zero + length + none),
+      "line 2: rtcp: false, so the program depends on point, and none is given; measure it on the machine and give point: [x, y, z], a "
+      "place on the axis C");
+  expectHas(said("rotary:\n" + c_table + b_head + length + none),
+            "depends on work_zero, and none is given; measure it on the machine and give work_zero: ");
+  expectHas(said("rotary:\n" + c_table + b_head + zero + none),
+            "depends on tool_length, and none is given; measure it on the machine and give tool_length: ");
   const ScratchFolder folder;
   writeText(folder.path("m.yaml"), "rotary:\n" + c_table + b_head + zero + length + none);
   EXPECT_FALSE(readMachine(folder.path("m.yaml")).rtcp);

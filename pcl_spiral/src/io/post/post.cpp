@@ -184,6 +184,8 @@ Post::writeComments()
   writeComment(textOf("checked for work zero ", zero.x(), " ", zero.y(), " ", zero.z(), " and tool length ", machine.tool_length,
                       " of the machine file"));
   writeComment(offset_opening + offset());
+  if (!machine.retract_z)
+    writeComment("no retract_z in the machine file: start above the part");
   for (const std::string& note : header_.notes)
     writeComment(note);
 }

@@ -36,6 +36,8 @@ private:
     out_.line("BEGIN PGM " + name_ + " MM");
     writeComment(header_.title);
     writeComments();
+    if (takesTips())
+      out_.line("M129"); // of a program that was broken off
   }
 
   void writeComment(const std::string& text) override { out_.line("; " + commentText(text)); }

@@ -16,6 +16,8 @@ private:
     writeComment(header_.title);
     writeComments();
     out_.line("G71 G90 G94 G17 G40");
+    if (takesTips())
+      out_.line("TRAFOOF"); // of a program that was broken off
   }
 
   void writeComment(const std::string& text) override { out_.text("; " + commentText(text) + "\n"); }

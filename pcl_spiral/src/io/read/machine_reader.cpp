@@ -112,18 +112,19 @@ requirePlaces(YamlSettings& settings, const YAML::Node& rotary, const Machine& m
 {
   if (machine.rtcp || machine.three_axes)
     return;
-  const auto require = [&](bool needed, const YAML::Node& node, const std::string& name, const std::string& example) {
+  const auto require = [&](bool needed, const YAML::Node& node, const std::string& name, const std::string& what) {
     if (needed && !node[name])
-      settings.fail(node, "rtcp: false, so the program depends on " + name + ", and none is given; give " + name + ": " + example);
+      settings.fail(node, "rtcp: false, so the program depends on " + name + ", and none is given; measure it on the machine and give " +
+                              name + ": " + what);
   };
   bool table = false, head = false;
   for (std::size_t i = 0; i < 2; ++i) {
     const RotaryAxis& axis = machine.rotary[i];
     (axis.mount == RotaryMount::Table ? table : head) = true;
-    require(true, rotary[i], "point", std::string("[0, 0, 0], on the axis ") + axis.letter);
+    require(true, rotary[i], "point", std::string("[x, y, z], a place on the axis ") + axis.letter);
   }
-  require(table, settings.node(), "work_zero", "[0, 0, 0]");
-  require(head, settings.node(), "tool_length", "120");
+  require(table, settings.node(), "work_zero", "[x, y, z], the zero of the program in machine coordinates");
+  require(head, settings.node(), "tool_length", "the distance from the gauge point to the tip");
 }
 
 Machine
