@@ -232,6 +232,23 @@ TEST(ProgramReader, WhatIsNotUnderstoodIsRefusedWithLineAndWord)
   EXPECT_NE(refusal("UNITS/MM\nGOTO/0,0,0,0,0,1\nGOTO/1,0,0\n", testMachines()[0], "a.apt").find("ends without FINI"), std::string::npos);
 }
 
+TEST(ProgramReader, FeedMovesWithTheSpindleOffAreFound)
+{
+  const ScratchFolder folder;
+  const Machine machine = testMachines()[0];
+  const MachineProgram program = programFor(machine);
+  for (const DialectEntry& entry : dialect_entries)
+    for (const double speed : {0.0, 12000.0}) {
+      const std::string file = folder.path(std::string("part") + (entry.dialect == Dialect::LinuxCNC ? ".ngc" : ".nc"));
+      writeProgram(file, program, entry.dialect, {"part", speed, 3, 4});
+      const ProgramFile read = readProgram(file, machine);
+      std::size_t first = 0; // the first feed move
+      for (std::size_t i = read.program.blocks.size(); i-- > 0;)
+        first = read.program.blocks[i].rapid ? first : read.lines[i];
+      EXPECT_EQ(read.still_line, speed > 0.0 ? 0 : first) << entry.word;
+    }
+}
+
 TEST(ProgramReader, AMachineThatTheProgramWasNotMadeForIsRefusedAndItsOwnIsNot)
 {
   const ScratchFolder folder;

@@ -127,6 +127,10 @@ readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::strin
       program.warnings.push_back("if the control turns the rotary axes the nearest way from home: " + status.message());
     else
       program.faults.push_back(status.message());
+  if (read.still_line > 0)
+    program.warnings.push_back(textOf("line ", read.still_line,
+                                      ": the tool feeds with the spindle off: no M3 or M4 is before it, unless a "
+                                      "line of your shop starts it; write M3 with a speed"));
   judged.verification.program = std::move(program);
   checkOtherMoves(job, part, *reference, read, judged.verification);
   checkPace(job, read, judged.verification);

@@ -22,6 +22,7 @@ struct ProgramFile {
    *  are known; the way to it is not. */
   MachineProgram program;
   std::vector<std::size_t> lines; ///< line of the text of each block, from 1
+  std::size_t still_line = 0;     ///< line of the first feed move with the spindle off (neither M3 nor M4 with an S); 0: none
   std::string language;           ///< word of its entry in dialect_entries, or "apt"
   bool by_vectors = false; ///< tool axes are vectors: the angles are those nearest to the ones before, and the control may choose others
   bool axis_arcs = false;  ///< the tool axis moves along arcs from block to block (ORIVECT, APT without machine); false: the rotary axes

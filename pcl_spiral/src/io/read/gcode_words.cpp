@@ -159,6 +159,11 @@ takeM(Dialect dialect, double code, bool moved, GCodeModes& modes)
   case 30:
     modes.ended = true;
     return {};
+  case 3:
+  case 4:
+  case 5:
+    modes.spindle = whole != 5;
+    return {};
   case 6:
     return moved ? "another tool; judge one program for each tool" : "";
   case 17:

@@ -23,6 +23,7 @@ struct GCodeModes {
   bool guides_tip = false;   ///< G43.4, G43.5, TRAORI, M428: the control keeps the tip in place
   std::string offset;        ///< the work offset; empty: none named yet
   bool vectors = false;      ///< G43.5: I J K are the tool axis
+  bool spindle = false;      ///< M3 or M4
   bool ended = false;        ///< M2, M30
   bool of_machine = false;   ///< only in this line: G53, SUPA
   bool dwells = false;       ///< only in this line: G4

@@ -32,6 +32,7 @@ public:
     if (!track_.begun())
       lines_.fail("the program has no place with all five axes; name them all in one G0");
     ProgramFile result = track_.take();
+    result.still_line = still_line_;
     result.axis_arcs = dialect_ == Dialect::Siemens; // ORIVECT
     return result;
   }
@@ -189,6 +190,8 @@ private:
     requireGuided(target);
     target.inverse_time = modes_.inverse_time;
     target.feed = modes_.inverse_time && fed_ != lines_.number() ? 0.0 : feed_;
+    if (!target.rapid && !modes_.spindle && still_line_ == 0)
+      still_line_ = lines_.number();
     if (const std::string fault = track_.move(lines_.number(), target); !fault.empty())
       lines_.fail(fault);
   }
@@ -200,7 +203,8 @@ private:
   GCodeModes modes_;
   std::array<const char*, 3> names_; ///< words of the tool axis
   double feed_ = 0.0;
-  std::size_t fed_ = 0; ///< line of the last F
+  std::size_t fed_ = 0;        ///< line of the last F
+  std::size_t still_line_ = 0; ///< of the first feed move with the spindle off
 };
 
 } // namespace

@@ -25,7 +25,9 @@ public:
       lines_.fail("the program ends without END PGM: it was cut off; write it again");
     if (!track_.begun())
       lines_.fail("the program has no place with all five axes; name X Y Z and TX TY TZ in one LN");
-    return track_.take();
+    ProgramFile result = track_.take();
+    result.still_line = still_line_;
+    return result;
   }
 
 private:
@@ -92,7 +94,9 @@ private:
     const int code = word.name == "M" && word.value ? static_cast<int>(std::lround(*word.value)) : -1;
     if (code < 0)
       return lines_.fail(word, "not a word that is understood; leave it out if it does not move the tool");
-    if (code == 128 || code == 129)
+    if (code == 3 || code == 4 || code == 5 || code == 13 || code == 14)
+      spindle_ = code != 5;
+    else if (code == 128 || code == 129)
       guides_tip_ = code == 128;
     else if (code == 91)
       of_machine_ = true;
@@ -123,6 +127,8 @@ private:
           "made, or set rtcp: true");
     target.link = lines_.inLink();
     target.feed = feed_;
+    if (!target.rapid && !spindle_ && still_line_ == 0)
+      still_line_ = lines_.number();
     if (const std::string fault = track_.move(lines_.number(), target); !fault.empty())
       lines_.fail(fault);
   }
@@ -166,7 +172,8 @@ private:
   const Machine& machine_;
   ProgramTrack track_;
   double next_ = 0.0, unit_ = 1.0, feed_ = 0.0;
-  bool guides_tip_ = false, of_machine_ = false, ended_ = false;
+  bool guides_tip_ = false, of_machine_ = false, spindle_ = false, ended_ = false;
+  std::size_t still_line_ = 0; ///< of the first feed move with the spindle off
 };
 
 } // namespace
