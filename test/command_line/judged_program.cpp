@@ -70,9 +70,9 @@ protected:
     writeText(made_->path("cap.xyz"), capScan(8000));
     make(PCL_SPIRAL_TOOLPATH_PROGRAM,
          {"--scallop", "0.02", "--tilt", "10", "-o", "part.ngc", "-o", "part.apt", "--machine", machines + "/xyzac.yaml"});
-    for (const char* dialect : {"fanuc", "fanuc-ijk", "siemens", "heidenhain"})
-      make(PCL_SPIRAL_TOOLPATH_PROGRAM, {"--scallop", "0.02", "--tool", "3", "-o", std::string(dialect) + ".nc", "--dialect", dialect,
-                                         "--machine", machines + "/head_head.yaml"});
+    for (const std::string dialect : {"fanuc", "fanuc-ijk", "siemens", "heidenhain"})
+      make(PCL_SPIRAL_TOOLPATH_PROGRAM, {"--scallop", "0.02", "--tool", "3", "-o", dialect + ".nc", "--dialect", dialect, "--machine",
+                                         machines + (dialect == "fanuc-ijk" ? "/xyzac.yaml" : "/head_head.yaml")}); // it cannot unwind C
     make(PCL_SPIRAL_DRIVE_PROGRAM, {"--step-over", "0.6", "--tolerance", "0.005", "--one-way", "-o", "rows.ngc", "-o", "rows.apt",
                                     "--machine", machines + "/xyzac.yaml"});
     make(PCL_SPIRAL_DRIVE_PROGRAM, {"--step-over", "0.6", "--tolerance", "0.005", "--one-way", "-o", "alone.apt"});
@@ -134,7 +134,7 @@ TEST_F(JudgedProgram, SoundProgramsOfEveryLanguageKeepTheirLimits)
                                                                                       {"part.apt", ""},
                                                                                       {"part.apt", machines + "/xyzac.yaml"},
                                                                                       {"fanuc.nc", machines + "/head_head.yaml"},
-                                                                                      {"fanuc-ijk.nc", machines + "/head_head.yaml"},
+                                                                                      {"fanuc-ijk.nc", machines + "/xyzac.yaml"},
                                                                                       {"siemens.nc", machines + "/head_head.yaml"},
                                                                                       {"heidenhain.nc", machines + "/head_head.yaml"}}) {
     const RunResult result = judge(file, machine);
@@ -260,7 +260,8 @@ TEST_F(JudgedProgram, CldataOfSeveralPassesIsJudgedAsTheProgramIs)
        std::vector<std::pair<std::string, std::string>>{{"rows.apt", ""}, {"rows.apt", machines + "/xyzac.yaml"}, {"alone.apt", ""}}) {
     const auto figures = figuresOf(file, machine);
     EXPECT_EQ(figures["program"]["passes"], passes) << file;
-    EXPECT_NEAR(figures["deviation"]["rms"].get<double>(), program["deviation"]["rms"].get<double>(), 2e-5);
+    EXPECT_NEAR(figures["deviation"]["rms"].get<double>(), program["deviation"]["rms"].get<double>(),
+                4e-5); // the program has four decimals: 1e-4 / sqrt(12)
   }
   Lines lines = linesOf(readText(folder_.path("alone.apt")));
   const auto middle = static_cast<std::size_t>(std::count(lines.begin(), lines.end(), "RAPID")) / 2;
