@@ -262,9 +262,7 @@ TEST_F(RidgeProgram, RemediesOfItsMessagesWork)
             std::string::npos)
       << leaning.err;
   EXPECT_EQ(runLines({"--spot", "4", "--tilt", "10", "-o", "a.csv"}).err, "");
-  const RunResult many = runLines({"--tool-radius", "6", "--step-over", "4", "-o", "a.apt"});
-  EXPECT_EQ(many.code, 1);
-  EXPECT_NE(many.err.find("make a single row (a larger --step-over)"), std::string::npos) << many.err;
+  EXPECT_EQ(runLines({"--tool-radius", "6", "--step-over", "4", "-o", "a.apt"}).code, 0) << "several passes";
   EXPECT_EQ(runLines({"--tool-radius", "6", "--step-over", "30", "-o", "a.apt"}).code, 0);
 }
 

@@ -6,7 +6,6 @@
 #include "terminal.h"
 
 #include "common/formatted_text.h"
-#include "surface/narrow_strips.h"
 #include "verify/ball_way.h"
 #include <pcl_spiral/cleaning/part_region.h>
 #include <pcl_spiral/common/impl/message.h>
@@ -19,15 +18,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <iterator>
 
 using namespace pcl_spiral;
 
 namespace {
 
 using Region = PartRegion<pcl::PointXYZ>;
-
-constexpr double narrowest = 5.0; // point spacings: no path runs along a strip that is narrower
 
 /** Whether the value of --crop begins with a number, as a box does; a file of that name needs a folder, as ./1.txt. */
 bool
@@ -72,8 +68,9 @@ selected(const Cloud& cloud, const pcl::Indices& indices)
   return some;
 }
 
-Surface::ConstPtr
-surfaceOf(const std::string& file, const PartSide& side, const Scan& scan)
+/** One normal per point of the scan, zero where it is not part of the surface; \p spacing of the surface. */
+pcl::PointCloud<pcl::Normal>::ConstPtr
+surfaceNormals(const std::string& file, const PartSide& side, const Scan& scan, double& spacing)
 {
   ScannedSurface<pcl::PointXYZ> scanned;
   scanned.setInputCloud(scan.cloud);
@@ -88,37 +85,12 @@ surfaceOf(const std::string& file, const PartSide& side, const Scan& scan)
   scanned.compute(surface);
   if (!surface)
     throw FileError(file, inOptions(scanned.getStatus().message()));
-  return surface;
-}
-
-/** One normal per point of a scan of \p size points, zero where it is not part of the surface. */
-pcl::PointCloud<pcl::Normal>::ConstPtr
-normalsOf(const Surface& surface, std::size_t size)
-{
+  spacing = surface->spacing();
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  normals->resize(size);
-  for (std::size_t i = 0; i < surface.size(); ++i)
-    (*normals)[surface.sourceIndex(i)].getNormalVector3fMap() = surface.normal(i).cast<float>();
+  normals->resize(scan.cloud->size());
+  for (std::size_t i = 0; i < surface->size(); ++i)
+    (*normals)[surface->sourceIndex(i)].getNormalVector3fMap() = surface->normal(i).cast<float>();
   return normals;
-}
-
-/** The points of \p kept in strips that are too narrow for a path; those that are not on the surface are where their nearest point on it
- *  is. */
-pcl::Indices
-inNarrowStrips(const Surface& surface, const pcl::PointCloud<pcl::PointXYZ>& cloud, const pcl::Indices& kept)
-{
-  std::vector<std::uint8_t> is_kept(cloud.size(), 0), of_surface(surface.size());
-  for (const auto i : kept)
-    is_kept[static_cast<std::size_t>(i)] = 1;
-  for (std::size_t i = 0; i < surface.size(); ++i)
-    of_surface[i] = is_kept[surface.sourceIndex(i)];
-  const std::vector<std::uint8_t> narrow = narrowStrips(surface.graph(), of_surface, narrowest * surface.spacing());
-  pcl::Indices found;
-  if (std::find(narrow.begin(), narrow.end(), 1) != narrow.end())
-    std::copy_if(kept.begin(), kept.end(), std::back_inserter(found), [&](const auto i) {
-      return narrow[surface.graph().blocks().nearest(cloud[static_cast<std::size_t>(i)].getVector3fMap().cast<double>())] != 0;
-    });
-  return found;
 }
 
 /** A scan that points are taken away from. */
@@ -130,34 +102,22 @@ struct CutScan {
   ChosenPart& part; ///< with all keep-outs
 };
 
-/** What \p region selects of the scan. */
-pcl::Indices
-selectedBy(Region& region, const CutScan& from)
+/** Keeps what \p region selects; adds the points left out that are not in a keep-out to those beside the part. */
+void
+cut(Region& region, CutScan& from)
 {
-  region.setInputCloud(from.scan.cloud);
+  Scan& scan = from.scan;
+  region.setInputCloud(scan.cloud);
   pcl::Indices kept;
   region.filter(kept);
   if (!region.getStatus().ok())
     throw FileError(from.file, inOptions(region.getStatus().message()));
-  return kept;
-}
-
-/** Keeps only \p kept, ascending; adds the points left out that are not in a keep-out to those beside the part. */
-void
-keepOnly(const pcl::Indices& kept, CutScan& from)
-{
-  Scan& scan = from.scan;
   if (kept.empty())
     throw UsageError(from.file + ": no point is left after --crop" + (from.choice.region.empty() ? "" : ", --region") +
                      " and --keep-out; the scan lies " + fileBox(scan, from.read) + ": give a larger crop" +
                      (from.choice.region.empty() ? "" : " or region") + ", or smaller keep-outs");
-  auto next = kept.begin();
-  for (std::size_t i = 0; i < scan.cloud->size(); ++i) {
-    if (next != kept.end() && static_cast<std::size_t>(*next) == i) {
-      ++next;
-      continue;
-    }
-    const pcl::PointXYZ& p = (*scan.cloud)[i];
+  for (const auto i : *region.getRemovedIndices()) {
+    const pcl::PointXYZ& p = (*scan.cloud)[static_cast<std::size_t>(i)];
     const auto contains = [&](const Prism& prism) { return prism.contains(p.getVector3fMap().cast<double>()); };
     const std::vector<Prism>& keep_outs = from.part.keep_outs;
     const bool kept_out = std::any_of(keep_outs.begin(), keep_outs.end(), contains);
@@ -169,28 +129,9 @@ keepOnly(const pcl::Indices& kept, CutScan& from)
     scan.normals = selected(*scan.normals, kept);
 }
 
-/** Keeps the points at which \p tool stays out of the keep-outs, without the narrow strips that are left beside them; adds the others to
- *  \p figures. Returns how many are in such strips. */
-std::size_t
-keepToolOut(Region& region, const PartTool& tool, const PartSide& side, CutScan& from, RegionFigures& figures)
-{
-  const Surface::ConstPtr surface = surfaceOf(from.file, side, from.scan);
-  region.setInputNormals(normalsOf(*surface, from.scan.cloud->size()));
-  region.setToolRadius(tool.radius);
-  region.setShank(shank_radii * tool.radius, tool.lean);
-  region.setObstacles(from.part.kept_out);
-  region.setMargin(surface->spacing()); // the outline may lie up to a spacing beyond the last points
-  const pcl::Indices kept = selectedBy(region, from), narrow = inNarrowStrips(*surface, *from.scan.cloud, kept);
-  figures.too_close = region.getFigures().too_close;
-  pcl::Indices wide;
-  std::set_difference(kept.begin(), kept.end(), narrow.begin(), narrow.end(), std::back_inserter(wide));
-  keepOnly(wide, from);
-  return narrow.size();
-}
-
 /** Adds what was left out to the warnings of the scan, which had \p all points. */
 void
-warnOfCuts(const PartChoice& choice, const RegionFigures& figures, std::size_t narrow, std::size_t all, double tool_radius, Scan& scan)
+warnOfCuts(const PartChoice& choice, const RegionFigures& figures, std::size_t all, double tool_radius, Scan& scan)
 {
   const bool region = !choice.region.empty();
   if (!choice.crop.empty() || region)
@@ -202,13 +143,46 @@ warnOfCuts(const PartChoice& choice, const RegionFigures& figures, std::size_t n
                tool_radius > 0.0
                    ? textOf(", and ", figures.too_close, " so near to one that the ball would enter it, or the shank what stands there")
                    : "",
-               narrow > 0 ? textOf("; ", narrow, " more are in strips beside them that are less than ", narrowest,
-                                   " point spacings wide, too narrow for a path")
-                          : "",
                ": they are not cut (--keep-out)"));
 }
 
 } // namespace
+
+std::vector<Option>
+placeOptions(PartChoice& choice)
+{
+  return {placeOption("part-at",
+                      "a place on the part, in the coordinates of the file: of several separate parts use the nearest one: "
+                      "--part-at 120,80,15",
+                      choice.part_at),
+          textOption("crop", "BOX|FILE",
+                     "only points inside are part of the scan: xmin,xmax,ymin,ymax or also ,zmin,zmax, or the file of a polygon, in the "
+                     "coordinates of the file of the scan: --crop 0,200,0,150",
+                     choice.crop),
+          {"keep-out", "FILE",
+           "the cutter does not enter the space over and under this polygon; may be given several times; one corner per line: x y, "
+           "extended along z, or x y z, extended along its mean normal: --keep-out clamp.txt",
+           [&choice](const std::string& value) { choice.keep_outs.push_back(value); }, true}};
+}
+
+Option
+clustersOption(PartChoice& choice)
+{
+  return choiceOption("clusters",
+                      "two or more points near each other that stand off the surface, as a screw or spatter, are refused, ridden over "
+                      "without cutting into them, or left out as false echoes, and the path goes through them; default refuse: "
+                      "--clusters ride",
+                      choice.clusters);
+}
+
+std::vector<InputName>
+polygonFiles(const PartChoice& choice)
+{
+  std::vector<InputName> files{{"the crop", choice.crop}};
+  for (const std::string& file : choice.keep_outs)
+    files.push_back({"a keep-out", file});
+  return files;
+}
 
 Eigen::Vector3d
 placeInScan(const Eigen::Vector3d& place, const ReadOptions& read)
@@ -234,7 +208,7 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
   if (!choice.cuts())
     return part;
   const std::size_t all = scan.cloud->size();
-  Region inside, region;
+  Region inside(true), region(true);
   if (!choice.region.empty())
     inside.setCrop(readPolygon(choice.region, read));
   if (isBox(choice.crop))
@@ -246,16 +220,23 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
     region.addKeepOut(part.keep_outs.back());
   }
   CutScan from{choice, file, read, scan, part};
-  keepOnly(selectedBy(region, from), from); // first what stands there, which would disturb the normals beside it
+  cut(region, from); // first what stands there, which would disturb the normals beside it
   RegionFigures figures = region.getFigures();
   if (!choice.region.empty()) {
-    keepOnly(selectedBy(inside, from), from);
+    cut(inside, from);
     figures.cropped += inside.getFigures().cropped;
   }
-  std::size_t narrow = 0;
-  if (!part.keep_outs.empty() && tool.radius > 0.0)
-    narrow = keepToolOut(region, tool, side, from, figures);
-  warnOfCuts(choice, figures, narrow, all, tool.radius, scan);
+  if (!part.keep_outs.empty() && tool.radius > 0.0) {
+    double spacing = 0.0;
+    region.setInputNormals(surfaceNormals(file, side, scan, spacing));
+    region.setToolRadius(tool.radius);
+    region.setShank(shank_radii * tool.radius, tool.lean);
+    region.setObstacles(part.kept_out);
+    region.setMargin(spacing); // the outline may lie up to a spacing beyond the last points
+    cut(region, from);
+    figures.too_close = region.getFigures().too_close;
+  }
+  warnOfCuts(choice, figures, all, tool.radius, scan);
   return part;
 }
 
@@ -265,15 +246,15 @@ withFilePlaces(const std::string& message, const ReadOptions& asked)
   const ReadOptions read = readAsScan(asked);
   if (read.unit == LengthUnit::Millimetre && read.origin.isZero())
     return message;
+  const std::string before = "mm2 at (";
   std::string text = message;
-  for (const std::string before : {"mm2 at (", "from (", " to ("})
-    for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
-      at += before.size();
-      Eigen::Vector3d p;
-      if (std::sscanf(text.c_str() + at, "%lf, %lf, %lf", &p.x(), &p.y(), &p.z()) != 3)
-        continue;
-      p = p / millimetres(read.unit) + read.origin;
-      text.insert(text.find(')', at) + 1, formatted(" (in the file %.10g,%.10g,%.10g)", p.x(), p.y(), p.z()));
-    }
+  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
+    at += before.size();
+    Eigen::Vector3d p;
+    if (std::sscanf(text.c_str() + at, "%lf, %lf, %lf", &p.x(), &p.y(), &p.z()) != 3)
+      continue;
+    p = p / millimetres(read.unit) + read.origin;
+    text.insert(text.find(')', at) + 1, formatted(" (in the file %.10g,%.10g,%.10g)", p.x(), p.y(), p.z()));
+  }
   return text;
 }
