@@ -27,8 +27,8 @@ runMachining(const std::string& name, const Job& job)
 {
   const auto start = std::chrono::steady_clock::now();
   pcl_spiral::OutputFiles files(filesOf(job));
-  for (const std::string& output : job.outputs)
-    requireDisplay(output);
+  for (const std::string& file : filesOf(job))
+    requireDisplay(file);
   if (!job.verbose)
     pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are reported below, once
   const std::optional<pcl_spiral::Machine> machine = machineOf(job.program, job.outputs);

@@ -38,6 +38,8 @@ captionOf(PictureKind kind)
     return "Scallop histogram: ridge heights between passes, mm.";
   case PictureKind::Rotary:
     return "Rotary axes, and speed of the contact, along the program.";
+  case PictureKind::Reach:
+    return "Radius of the largest ball that reaches each point, mm; the tightest place enlarged.";
   }
   return "";
 }
@@ -86,6 +88,12 @@ void
 PictureFiles::drawPasses(const PassScene& scene)
 {
   writePasses(add(PictureKind::Passes), scene);
+}
+
+void
+PictureFiles::drawReach(const ReachScene& scene)
+{
+  writeReach(add(PictureKind::Reach), scene);
 }
 
 void

@@ -7,13 +7,14 @@
 #include "io/report/report_page.h"
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/visualization/pass_picture.h>
+#include <pcl_spiral/visualization/reach_picture.h>
 #include <pcl_spiral/visualization/verification_pictures.h>
 
 #include <string>
 #include <vector>
 
 /** Description of a picture. */
-enum class PictureKind { Spiral, Lines, Passes, Deviation, Stock, Histogram, Rotary };
+enum class PictureKind { Spiral, Lines, Passes, Deviation, Stock, Histogram, Rotary, Reach };
 
 /** A picture and its suffix after an output's name: part_stock.png of part.png. */
 struct PictureName {
@@ -41,6 +42,8 @@ public:
   void drawPath(const pcl_spiral::PictureScene& scene, bool lines);
   /** Passes on the part. Errors as in writePasses. */
   void drawPasses(const pcl_spiral::PassScene& scene);
+  /** The largest balls. Errors as in writeReach. */
+  void drawReach(const pcl_spiral::ReachScene& scene);
   /** Rotary axes along a program. Errors as in writeRotaryAngles. */
   void drawProgram(const std::string& title, const pcl_spiral::MachineProgram& program);
   /** Deviation, stock, histogram. Errors as in VerificationPictures. */

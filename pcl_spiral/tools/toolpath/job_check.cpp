@@ -91,8 +91,9 @@ checkOutputs(const Job& job)
       throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
                        "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json .html or .png");
   if (const std::string extension = extensionOf(job.reach);
-      !job.reach.empty() && extension != ".csv" && extension != ".pcd" && extension != ".ply")
-    throw UsageError("--reach " + job.reach + ": the map of reach is a .csv, .pcd or .ply file; give one of these, such as reach.ply");
+      !job.reach.empty() && extension != ".csv" && extension != ".pcd" && extension != ".ply" && extension != ".png")
+    throw UsageError("--reach " + job.reach +
+                     ": the map of reach is a .csv, .pcd or .ply file, or a picture, .png; give one of these, such as reach.ply");
   checkStockFiles(job.stock);
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -56,8 +56,8 @@ files(Job& job)
         "NAME_deviation.png, NAME_stock.png, NAME_histogram.png; with a program NAME_rotary.png",
         [&job](const std::string& value) { job.outputs.push_back(value); }, true},
        textOption("reach", "FILE",
-                  "map of the largest ball that reaches each point of the scan: .csv .pcd .ply with x, y, z and radius, up to four tool "
-                  "radii: --reach reach.ply",
+                  "map of the largest ball that reaches each point of the scan, up to four tool radii: .csv .pcd .ply with x, y, z and "
+                  "radius, or a picture, .png: --reach reach.png",
                   job.reach),
        {"stock", "FILE", stock_help + std::string("; checks the path, as --verify does"),
         [&job](const std::string& value) {

@@ -32,6 +32,14 @@ hasPictures(const std::string& output)
   return extensionOf(output) == ".png" || extensionOf(output) == ".html";
 }
 
+/** The map of the largest balls as a picture of its own, or in a page. */
+bool
+drawsReach(const Job& job)
+{
+  const auto isPage = [](const std::string& output) { return extensionOf(output) == ".html"; };
+  return !job.reach.empty() && (hasPictures(job.reach) || std::any_of(job.outputs.begin(), job.outputs.end(), isPage));
+}
+
 const std::vector<PictureKind> judging_kinds{PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram};
 
 /** The pictures of the run, and those of the check of each region. */
@@ -80,6 +88,20 @@ draw(const Result& result, const std::string& title, Pictures& pictures)
   }
 }
 
+ReachScene
+sceneOf(const Result& result, const ReachMap& map, const std::string& title)
+{
+  ReachScene scene;
+  scene.part = sceneOf(result, title).part;
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (const Eigen::Vector3d& p : map.places)
+    cloud->emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+  scene.part.cloud = cloud;
+  scene.radii = map.radii;
+  scene.largest = map.largest;
+  return scene;
+}
+
 bool
 isReport(const std::string& output)
 {
@@ -119,8 +141,8 @@ writeReport(const Job& job, const Result& result, const std::string& title, cons
     writeReportJSON(file, run, settings, report, verification, regions);
   else
     writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, run, settings, report,
-                    pictures.files.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary}), verification,
-                    pictures.files.forReport(judging_kinds), regions);
+                    pictures.files.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary, PictureKind::Reach}),
+                    verification, pictures.files.forReport(judging_kinds), regions);
 }
 
 /** What a program says of its path. */
@@ -164,10 +186,14 @@ try {
   const std::string title = titleWithShift(std::filesystem::path(job.scan).filename().string());
   Pictures pictures;
   StageClock clock(result.report.stages);
-  if (std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures)) {
+  const ReachMap reach = job.reach.empty() ? ReachMap() : reachMapOf(job, result);
+  const bool draws = std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures);
+  if (draws)
     draw(result, title, pictures);
+  if (drawsReach(job))
+    pictures.files.drawReach(sceneOf(result, reach, title));
+  if (draws || drawsReach(job))
     clock.end("pictures");
-  }
   std::vector<std::string> reports;
   std::size_t i = 0;
   for (const std::string& output : job.outputs) {
@@ -183,8 +209,10 @@ try {
     else
       writeToolpath(files.temporary(i++), *result.path, motion, values);
   }
-  if (!job.reach.empty())
-    writeReachMap(job, result, files.temporary(i++));
+  if (hasPictures(job.reach))
+    pictures.files.copy(PictureKind::Reach, files.temporary(i++));
+  else if (!job.reach.empty())
+    writeReachMap(reach, extensionOf(job.reach), files.temporary(i++));
   for (std::size_t k = 0; k < job.stock.size(); ++k)
     writeStock(files.temporary(i++), result.left, scanShift());
   clock.end("writing");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reach_map.h"
 
-#include "terminal/file_names.h"
 #include "terminal/scan_places.h"
 
 #include "common/formatted_text.h"
@@ -31,41 +30,42 @@ headOf(const std::string& extension, std::size_t points)
                    points, points);
 }
 
-/** Of each point of \p surface. */
-std::vector<float>
-reachOf(const Job& job, const Surface& surface)
+/** Adds the points of \p surface. */
+void
+addSurface(const Job& job, const Surface& surface, ReachMap& map)
 {
-  const double radius = largest * job.settings.tool_radius;
-  const BallReach reach(surface.graph(), surface.fit(), radius, reachTolerance(surface.fit(), noise_share * job.settings.chord_error));
-  std::vector<float> radii(surface.size(), static_cast<float>(radius));
+  const BallReach reach(surface.graph(), surface.fit(), map.largest, reachTolerance(surface.fit(), noise_share * job.settings.chord_error));
+  const std::size_t first = map.radii.size();
+  map.radii.resize(first + surface.size(), static_cast<float>(map.largest));
   for (const UnreachedPoint& point : reach.unreached())
-    radii[point.index] = point.reach;
-  return radii;
+    map.radii[first + point.index] = point.reach;
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    map.places.push_back(surface.position(i));
 }
 
 } // namespace
 
-void
-writeReachMap(const Job& job, const Result& result, const std::string& file)
+ReachMap
+reachMapOf(const Job& job, const Result& result)
 {
-  std::vector<Surface::ConstPtr> surfaces;
+  ReachMap map;
+  map.largest = largest * job.settings.tool_radius;
   for (const Result& region : result.regions)
-    surfaces.push_back(region.surface);
-  if (surfaces.empty())
-    surfaces.push_back(result.surface);
-  std::size_t points = 0;
-  for (const Surface::ConstPtr& surface : surfaces)
-    points += surface->size();
-  const std::string extension = extensionOf(job.reach);
+    addSurface(job, *region.surface, map);
+  if (result.regions.empty())
+    addSurface(job, *result.surface, map);
+  return map;
+}
+
+void
+writeReachMap(const ReachMap& map, const std::string& extension, const std::string& file)
+{
   const char* const row = extension == ".csv" ? "%.6f,%.6f,%.6f,%.4f\n" : "%.6f %.6f %.6f %.4f\n";
   ByteFile out(file);
-  out.write(headOf(extension, points));
-  for (const Surface::ConstPtr& surface : surfaces) {
-    const std::vector<float> radii = reachOf(job, *surface);
-    for (std::size_t i = 0; i < radii.size(); ++i) {
-      const Eigen::Vector3d place = inScan(surface->position(i));
-      out.write(formatted(row, place.x(), place.y(), place.z(), radii[i]));
-    }
+  out.write(headOf(extension, map.radii.size()));
+  for (std::size_t i = 0; i < map.radii.size(); ++i) {
+    const Eigen::Vector3d place = inScan(map.places[i]);
+    out.write(formatted(row, place.x(), place.y(), place.z(), map.radii[i]));
   }
   out.close();
 }

@@ -8,6 +8,15 @@
 
 #include <string>
 
-/** Writes x, y, z of each point of the surface of \p result, or of its regions, and the radius of the largest ball that reaches it, at
- *  most four tool radii, mm. The kind of \p file is that of the name in the job. \throw pcl_spiral::FileError */
-void writeReachMap(const Job& job, const Result& result, const std::string& file);
+/** Points of a surface, and for each the radius of the largest ball that reaches it, at most \ref largest; mm. */
+struct ReachMap {
+  pcl_spiral::Polyline places;
+  std::vector<float> radii;
+  double largest = 0.0; ///< four tool radii
+};
+
+/** Of the surface of \p result, or of its regions. */
+ReachMap reachMapOf(const Job& job, const Result& result);
+
+/** Writes the map as x, y, z and radius of each point. \p extension: .csv, .pcd or .ply. \throw pcl_spiral::FileError */
+void writeReachMap(const ReachMap& map, const std::string& extension, const std::string& file);
