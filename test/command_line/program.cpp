@@ -75,6 +75,11 @@ TEST(Program, EveryLanguageAndExchangeFileIsWritten)
     const RunResult done = run(folder, {"-o", dialect + ".nc", "--dialect", dialect, "--machine", machine, "--tool", "3", "--quiet"});
     ASSERT_EQ(done.code, 0) << done.err;
   }
+  const std::string fork_head = machines + "/head_head.yaml";
+  ASSERT_EQ(run(folder, {"-o", "part.mpf", "-o", "part.h", "--machine", fork_head, "--tool", "3", "--quiet"}).code, 0);
+  EXPECT_EQ(readText(folder.path("part.mpf")), readText(folder.path("siemens.nc")));
+  EXPECT_EQ(readText(folder.path("part.h")).substr(readText(folder.path("part.h")).find('\n')),
+            readText(folder.path("heidenhain.nc")).substr(readText(folder.path("heidenhain.nc")).find('\n')));
   const RunResult unwinding =
       run(folder, {"-o", "x.nc", "--dialect", "fanuc-ijk", "--machine", machines + "/head_head.yaml", "--tool", "3", "--quiet"});
   EXPECT_EQ(unwinding.code, 1);
@@ -197,6 +202,9 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(said({"-o", "a.nc", "--machine", machine}, 2), "no --dialect is given; it must be one of linuxcnc|fanuc|");
   expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "fanuc"}, 2), "-o a.nc: no --tool is given");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--dialect", "siemens"}, 2), "--dialect siemens: no output is in that language");
+  expectHas(said({"-o", "a.mpf", "--machine", machine, "--dialect", "fanuc", "--tool", "3"}, 2), "a .mpf for Siemens");
+  expectHas(said({"-o", "a.h"}, 2), "-o a.h: no --machine is given");
+  expectHas(said({"-o", "a.h", "--machine", machine}, 2), "-o a.h: no --tool is given");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--block-tolerance", "1e-9,1e-9"}, 2), "must be 0.0001 mm");
   expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2), "--dialect okuma: must be one of");
   expectHas(said({"-o", "a.ngc", "--machine", "none.yaml"}, 1), "none.yaml: there is no such machine file");

@@ -104,13 +104,17 @@ TEST(ProgramReader, EveryLanguageIsReadBackForEveryMachine)
       for (const DialectEntry& entry : dialect_entries) {
         if (entry.needs_rtcp && !rtcp)
           continue;
-        const std::string file = folder.path(std::string("part") + (entry.dialect == Dialect::LinuxCNC ? ".ngc" : ".nc"));
-        writeProgram(file, program, entry.dialect, {"part (1).pcd", 12000.0, 3, 4, "M62 P0", "M63 P0"});
-        const ProgramFile read = readProgram(file, machine);
-        EXPECT_EQ(read.language, entry.word);
-        EXPECT_EQ(read.axis_arcs, entry.dialect == Dialect::Siemens);
-        EXPECT_EQ(read.by_vectors, entry.needs_rtcp);
-        expectMoves(read, program, machine.name + " " + entry.word);
+        for (const std::string extension : {entry.extension, ".nc"}) {
+          if (extension.empty() || (extension == ".nc" && entry.dialect == Dialect::LinuxCNC))
+            continue;
+          const std::string file = folder.path("part" + extension);
+          writeProgram(file, program, entry.dialect, {"part (1).pcd", 12000.0, 3, 4, "M62 P0", "M63 P0"});
+          const ProgramFile read = readProgram(file, machine);
+          EXPECT_EQ(read.language, entry.word);
+          EXPECT_EQ(read.axis_arcs, entry.dialect == Dialect::Siemens);
+          EXPECT_EQ(read.by_vectors, entry.needs_rtcp);
+          expectMoves(read, program, machine.name + " " + entry.word);
+        }
       }
     }
 }

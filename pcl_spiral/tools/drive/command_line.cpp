@@ -22,7 +22,7 @@ files(Job& job)
         "output file, its kind by extension; repeat it for each file: -o part.csv -o part.ngc\n"
         ".csv .vtp  the path with cutter tips; Turn is the number of the pass\n"
         ".pcd .ply  the path of a ball cutter\n"
-        ".ngc .nc  program for a five-axis machine; see --machine\n"
+        ".ngc .nc .mpf .h  program for a machine; see --machine\n"
         ".apt .cls  CLDATA    .yaml  robot frames: metres, z along the tool axis; see --robot-z\n"
         ".json  report: settings, counts, states, collisions, times; .html readable, with pictures\n"
         ".png  picture of the passes on the part; with a machine also NAME_rotary.png: rotary angles",

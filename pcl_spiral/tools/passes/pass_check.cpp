@@ -74,7 +74,7 @@ checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vec
   for (const std::string& file : job.outputs) {
     const std::string extension = extensionOf(file);
     if (!isPassFile(file) && std::find(more_kinds.begin(), more_kinds.end(), extension) == more_kinds.end()) {
-      std::string known = ".csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .6d .5d .json ";
+      std::string known = ".csv .pcd .ply .vtp .ngc .nc .mpf .h .apt .cls .yaml .6d .5d .json ";
       for (const std::string& kind : more_kinds)
         known += kind + " ";
       throw UsageError("-o " + file + ": extension '" + extension + "' is not known; use " + known + "or .png");

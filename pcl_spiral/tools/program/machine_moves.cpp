@@ -45,22 +45,19 @@ warningsOf(const MachineProgram& program)
 
 } // namespace
 
-Machine
-machineOf(const ProgramJob& program)
-{
-  if (program.machine_file.empty())
-    return xyzacTrunnion();
-  Machine machine = readMachine(program.machine_file);
-  if (!machine.rtcp && !machine.three_axes && entryOf(program.dialect).needs_rtcp)
-    throw FileError(program.machine_file, "rtcp: false, but --dialect " + choiceName(program.dialect) +
-                                              " needs tips and tool axes; use linuxcnc or fanuc, or rtcp: true");
-  return machine;
-}
-
 std::optional<Machine>
 machineOf(const ProgramJob& program, const std::vector<std::string>& outputs)
 {
-  return hasProgram(program, outputs) ? std::optional(machineOf(program)) : std::nullopt;
+  if (!hasProgram(program, outputs))
+    return std::nullopt;
+  if (program.machine_file.empty())
+    return xyzacTrunnion();
+  const Machine machine = readMachine(program.machine_file);
+  for (const std::string& output : outputs)
+    if (isProgram(output) && !machine.rtcp && !machine.three_axes && entryOf(languageOf(program, output)).needs_rtcp)
+      throw FileError(program.machine_file, "rtcp: false, but " + output + " is for " + choiceName(languageOf(program, output)) +
+                                                ", which needs tips and tool axes; use linuxcnc or fanuc, or rtcp: true");
+  return machine;
 }
 
 MachineProgram

@@ -10,10 +10,7 @@
 #include <string>
 #include <vector>
 
-/** The machine of a job that has a program. \throw pcl_spiral::FileError */
-pcl_spiral::Machine machineOf(const ProgramJob& program);
-
-/** The same, if one of the \p outputs needs it. \throw pcl_spiral::FileError */
+/** The machine of a job, if one of the \p outputs needs it. \throw pcl_spiral::FileError, also if it cannot run the language of one */
 std::optional<pcl_spiral::Machine> machineOf(const ProgramJob& program, const std::vector<std::string>& outputs);
 
 /** Makes the program of the passes on \p machine and adds its warnings to \p warnings. \p ball_radius: 0 for other

@@ -50,14 +50,13 @@ checkOffset(const ProgramJob& program, const std::vector<std::string>& outputs)
 bool
 isProgram(const std::string& output)
 {
-  const std::string extension = extensionOf(output);
-  return extension == ".ngc" || extension == ".nc";
+  return isProgramExtension(extensionOf(output));
 }
 
 Dialect
 languageOf(const ProgramJob& program, const std::string& output)
 {
-  return extensionOf(output) == ".ngc" ? Dialect::LinuxCNC : program.dialect;
+  return dialectOfExtension(extensionOf(output)).value_or(program.dialect);
 }
 
 bool
@@ -92,22 +91,24 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
   for (const std::string& output : outputs) {
     if (!isProgram(output))
       continue;
-    if (extensionOf(output) == ".nc" && program.machine_file.empty())
+    const std::string extension = extensionOf(output);
+    if (extension != ".ngc" && program.machine_file.empty())
       throw UsageError("-o " + output +
                        ": no --machine is given; give the machine file, such as --machine xyzac.yaml "
                        "(there are examples in examples/machines, installed in share/pcl_spiral)");
-    if (extensionOf(output) == ".nc" && given.count("dialect") == 0)
+    if (extension == ".nc" && given.count("dialect") == 0)
       throw UsageError("-o " + output + ": no --dialect is given; it must be one of " + choiceList<Dialect>());
-    if (extensionOf(output) == ".nc" && program.header.tool == 0)
+    if (extension != ".ngc" && program.header.tool == 0)
       throw UsageError("-o " + output +
                        ": no --tool is given; the control needs the tool number for the tool length: "
                        "--tool 3");
   }
-  const bool other_language = given.count("dialect") > 0 && program.dialect != Dialect::LinuxCNC;
-  if (other_language &&
-      std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".nc"; }))
-    throw UsageError("--dialect " + choiceName(program.dialect) +
-                     ": no output is in that language; write a .nc (a .ngc is always for LinuxCNC)");
+  if (given.count("dialect") > 0 && std::none_of(outputs.begin(), outputs.end(), [&program](const std::string& output) {
+        return isProgram(output) && languageOf(program, output) == program.dialect;
+      }))
+    throw UsageError(
+        "--dialect " + choiceName(program.dialect) +
+        ": no output is in that language; write a .nc (a .ngc is always for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain)");
   if (given.count("robot-z") > 0 &&
       std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".yaml"; }))
     throw UsageError("--robot-z " + choiceName(program.robot_z) + ": no output has robot frames; add an output .yaml, or leave it out");

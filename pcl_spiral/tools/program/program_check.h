@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-/** Whether an output is a program, by its extension: .ngc .nc */
+/** Whether an output is a program, by its extension: .ngc .nc .mpf .h */
 bool isProgram(const std::string& output);
-/** The language of a program: a .ngc is always for LinuxCNC. */
+/** The language of a program: a .ngc is always for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain. */
 pcl_spiral::Dialect languageOf(const ProgramJob& program, const std::string& output);
 /** .apt .cls .yaml */
 bool isExchange(const std::string& output);

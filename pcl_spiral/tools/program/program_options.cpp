@@ -24,9 +24,11 @@ programOptions(ProgramJob& program)
 {
   pcl_spiral::ProgramSettings& settings = program.settings;
   return {
-      "Program for a five-axis machine (.ngc .nc)",
+      "Program for a machine with five or three axes (.ngc .nc .mpf .h)",
       {textOption("machine", "FILE", "machine file in YAML: axes, limits, rates: --machine xyzac.yaml", program.machine_file),
-       choiceOption("dialect", "language of a .nc; a .ngc is always for LinuxCNC: --dialect siemens", program.dialect),
+       choiceOption("dialect",
+                    "language of a .nc; a .ngc is always for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain: --dialect siemens",
+                    program.dialect),
        choiceOption("lead-in", "how the tool moves to the path and leaves it; default normal: --lead-in arc", settings.lead),
        numberOption("lead-length", "L", "length of the lead, or radius of the arc; default 2: --lead-length 5", settings.lead_length),
        numberOption("clearance", "L", "the feed begins at this distance from the lead, along the tool axis; default 5: --clearance 3",

@@ -28,7 +28,7 @@ files(Job& job)
         ".6d  one line per point: x y z and tool axis; an empty line between rows    .5d  x y z A C\n"
         ".csv .vtp  the rows with tool tips; Turn is the number of the row\n"
         ".pcd .ply  the rows of a ball cutter\n"
-        ".ngc .nc  program for a five-axis machine; see --machine\n"
+        ".ngc .nc .mpf .h  program for a machine; see --machine\n"
         ".apt .cls  CLDATA, of a cutter    .yaml  robot frames: metres, z along the tool axis; see --robot-z\n"
         ".json  report: settings, results for both lines, times\n"
         ".png  picture of the rows on the ridge; also NAME_lines.png: both lines with frames, NAME_normals.png: error of the "

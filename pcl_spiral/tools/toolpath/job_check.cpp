@@ -89,7 +89,7 @@ checkOutputs(const Job& job)
   for (const std::string& file : job.outputs)
     if (!isWritten(file))
       throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
-                       "' is not known; use .csv .pcd .ply .vtp .ngc .nc .apt .cls .yaml .json .html or .png");
+                       "' is not known; use .csv .pcd .ply .vtp .ngc .nc .mpf .h .apt .cls .yaml .json .html or .png");
   if (const std::string extension = extensionOf(job.reach);
       !job.reach.empty() && extension != ".csv" && extension != ".pcd" && extension != ".ply" && extension != ".png")
     throw UsageError("--reach " + job.reach +

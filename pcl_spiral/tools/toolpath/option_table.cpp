@@ -48,7 +48,7 @@ files(Job& job)
        {"output", "FILE",
         "output file, its kind by extension; repeat it for each file: -o part.csv -o part.vtp\n"
         ".csv .pcd .ply .vtp  the path; with --verify the .vtp also has the point data Deviation and Scallop, mm\n"
-        ".ngc .nc  program for a five-axis machine; see --machine\n"
+        ".ngc .nc .mpf .h  program for a machine; see --machine\n"
         ".apt .cls  CLDATA    .yaml  robot frames: metres, z along the tool axis; see --robot-z\n"
         ".json  report: settings, loops, counts, times\n"
         ".html  report to read and print, with the pictures, in one file\n"

@@ -98,7 +98,7 @@ bool
 isProgramFile(const std::string& file)
 {
   const std::string extension = extensionOf(file);
-  return extension == ".ngc" || extension == ".nc" || extension == ".apt" || extension == ".cls";
+  return isProgramExtension(extension) || extension == ".apt" || extension == ".cls";
 }
 
 void

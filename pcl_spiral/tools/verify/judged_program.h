@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-/** Whether \p file is a program, by its extension: .ngc .nc .apt .cls */
+/** Whether \p file is a program, by its extension: .ngc .nc .mpf .h .apt .cls */
 bool isProgramFile(const std::string& file);
 
 /** Reads \p passes of the program \p file and sets its path and its figures in \p judged: what the control will do, and what its tool

@@ -8,6 +8,8 @@
 #include "terminal/option_values.h"
 #include "terminal/setter_names.h"
 
+#include <pcl_spiral/io/program_writer.h>
+
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -30,16 +32,17 @@ allOptions()
       limits("Limits: if one is broken, the exit code is 1", width, width / 2), run("Run", width, width / 2);
   files.add_options()(
       "file", values("FILE"),
-      "the scan, or with --mesh the mesh, then the paths: .csv .pcd .ply .vtp, or programs: .ngc .nc .apt .cls; --file itself can "
+      "the scan, or with --mesh the mesh, then the paths: .csv .pcd .ply .vtp, or programs: .ngc .nc .mpf .h .apt .cls; --file itself can "
       "be left out")("machine", value("FILE"), "machine file of the programs, in YAML: --machine xyzac.yaml")(
-      "dialect", value("WORD"), "language of a .nc; default found from its words; a .ngc is always for LinuxCNC: --dialect siemens")(
-      "output,o", values("FILE"),
-      "output file, its kind by extension; repeat it for each file: -o verified.json -o verified.html\n"
-      ".json  the figures\n"
-      ".html  report to read and print, with the pictures, in one file\n"
-      ".png  picture of the deviation, of a single path; also NAME_stock.png: stock map, and NAME_histogram.png: heights of "
-      "the scallops\n"
-      ".vtp  a single path with the point data Deviation and Scallop, mm")("stock", values("FILE"), stock_help);
+      "dialect", value("WORD"),
+      "language of a .nc; default found from its words; a .ngc is for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain: --dialect "
+      "siemens")("output,o", values("FILE"),
+                 "output file, its kind by extension; repeat it for each file: -o verified.json -o verified.html\n"
+                 ".json  the figures\n"
+                 ".html  report to read and print, with the pictures, in one file\n"
+                 ".png  picture of the deviation, of a single path; also NAME_stock.png: stock map, and NAME_histogram.png: heights of "
+                 "the scallops\n"
+                 ".vtp  a single path with the point data Deviation and Scallop, mm")("stock", values("FILE"), stock_help);
   addScanOptions(files);
   addPartOptions(files);
   addMeshOptions(files);
@@ -79,7 +82,7 @@ checkPrograms(const VerifyJob& job)
           "--machine and --dialect belong to programs; give a .ngc, .nc or .apt, or leave them out");
   require(!any || !job.mesh, "programs are judged by a scan; leave --mesh out, so that the vertices of the mesh are the scan");
   for (const std::string& path : job.paths)
-    require(!job.machine_file.empty() || (extensionOf(path) != ".ngc" && extensionOf(path) != ".nc"),
+    require(!job.machine_file.empty() || !pcl_spiral::isProgramExtension(extensionOf(path)),
             path + ": a program has the axes of a machine; give its machine file, such as --machine xyzac.yaml");
 }
 

@@ -30,9 +30,9 @@ struct ProgramFile {
 };
 
 /** Reads a program back from its text: G-code and Klartext as writeProgram makes them, and other programs of straight moves; APT (.apt,
- *  .cls). A .ngc is for LinuxCNC. The language of others is found from their words, or is \p dialect. Modal words, comments, line numbers,
- *  G0 G1, G20 G21, G93 G94, G43 G43.4 G43.5, G53, TRAORI, SUPA, M128, M91 are followed. Tool axes become angles of \p machine
- *  nearest to those before. An APT needs no machine.
+ *  .cls). A .ngc is for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain. The language of a .nc is found from its words. \p dialect
+ *  overrides both. Modal words, comments, line numbers, G0 G1, G20 G21, G93 G94, G43 G43.4 G43.5, G53, TRAORI, SUPA, M128, M91 are
+ *  followed. Tool axes become angles of \p machine nearest to those before. An APT needs no machine.
  *
  *  \throw FileError with line, word and remedy for a word that is not understood: arcs, cycles, subprograms, variables, offsets, relative
  *  coordinates; for a program that ends without its end; and for a machine that the program was not made for: other rotary axes, or

@@ -7,6 +7,7 @@
 #include <pcl_spiral/machine/machine_program.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -98,20 +99,27 @@ void writeHeidenhain(const std::string& file, const MachineProgram& program, con
 
 /** Name, needs and writer of a language. */
 struct DialectEntry {
-  Dialect dialect;                                                                ///< the language
-  const char* word;                                                               ///< in options and job files
-  bool needs_rtcp;                                                                ///< it takes only tips and tool axes, no rotary angles
+  Dialect dialect;       ///< the language
+  const char* word;      ///< in options and job files
+  const char* extension; ///< of files that are always in this language; none: "". Any other program is a .nc
+  bool needs_rtcp;       ///< it takes only tips and tool axes, no rotary angles
   void (*write)(const std::string&, const MachineProgram&, const ProgramHeader&); ///< its writer
 };
 
 /** All languages. A new one needs a line here, its value above, and a file with its writer. */
-inline constexpr std::array<DialectEntry, 5> dialect_entries{{{Dialect::LinuxCNC, "linuxcnc", false, writeLinuxCNC},
-                                                              {Dialect::Fanuc, "fanuc", false, writeFanuc},
-                                                              {Dialect::FanucVectors, "fanuc-ijk", true, writeFanucVectors},
-                                                              {Dialect::Siemens, "siemens", true, writeSiemens},
-                                                              {Dialect::Heidenhain, "heidenhain", true, writeHeidenhain}}};
+inline constexpr std::array<DialectEntry, 5> dialect_entries{{{Dialect::LinuxCNC, "linuxcnc", ".ngc", false, writeLinuxCNC},
+                                                              {Dialect::Fanuc, "fanuc", "", false, writeFanuc},
+                                                              {Dialect::FanucVectors, "fanuc-ijk", "", true, writeFanucVectors},
+                                                              {Dialect::Siemens, "siemens", ".mpf", true, writeSiemens},
+                                                              {Dialect::Heidenhain, "heidenhain", ".h", true, writeHeidenhain}}};
 
 /** The entry of \p dialect. */
 const DialectEntry& entryOf(Dialect dialect);
+
+/** The language that \p extension, in small letters, stands for; none for .nc, which may hold any, and for files that are no programs. */
+std::optional<Dialect> dialectOfExtension(const std::string& extension);
+
+/** Whether \p extension, in small letters, is that of a program of a control: .ngc .nc .mpf .h */
+bool isProgramExtension(const std::string& extension);
 
 } // namespace pcl_spiral

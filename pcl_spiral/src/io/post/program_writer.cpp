@@ -12,6 +12,20 @@ entryOf(Dialect dialect)
                        [dialect](const DialectEntry& entry) { return entry.dialect == dialect; });
 }
 
+std::optional<Dialect>
+dialectOfExtension(const std::string& extension)
+{
+  const auto found = std::find_if(dialect_entries.begin(), dialect_entries.end(),
+                                  [&extension](const DialectEntry& entry) { return !extension.empty() && entry.extension == extension; });
+  return found == dialect_entries.end() ? std::nullopt : std::optional(found->dialect);
+}
+
+bool
+isProgramExtension(const std::string& extension)
+{
+  return extension == ".nc" || dialectOfExtension(extension);
+}
+
 void
 writeProgram(const std::string& file, const MachineProgram& program, Dialect dialect, const ProgramHeader& header)
 {

@@ -56,7 +56,8 @@ readProgram(const std::string& file, const std::optional<Machine>& machine, std:
   if (!machine)
     throw FileError(file, "a program has the axes of a machine; give its machine file");
   requireMadeFor(file, text, *machine);
-  const Dialect language = dialect ? *dialect : extension == ".ngc" ? Dialect::LinuxCNC : dialectOf(text);
+  const std::optional<Dialect> by_name = dialect ? dialect : dialectOfExtension(extension);
+  const Dialect language = by_name ? *by_name : dialectOf(text);
   ProgramFile result = language == Dialect::Heidenhain ? readKlartext(file, text, *machine) : readGCode(file, text, *machine, language);
   result.language = entryOf(language).word;
   return result;
