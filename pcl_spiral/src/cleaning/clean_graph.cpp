@@ -54,8 +54,8 @@ unionOf(const Indices& a, const Indices& b)
 /** The work of buildCleanGraph. */
 class CleanGraph {
 public:
-  CleanGraph(const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source)
-  : options_(options), graph_(graph), source_(source)
+  CleanGraph(const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source, const CloudCheck& check)
+  : options_(options), graph_(graph), source_(source), check_(check)
   {}
 
   Status build(std::vector<Eigen::Vector3f> points)
@@ -88,6 +88,9 @@ private:
       if (!left_out_[i])
         source_.indices.push_back(i);
     PointBlocks blocks(selected(source_.indices, points));
+    if (check_ && !any_left_out_)
+      if (const Status status = check_(blocks); !status.ok())
+        return status;
     EvenSpread spread = evenSpread(blocks);
     if (spread.kept.size() < SurfaceGraph::fewest_points) // a strip two or three points wide is a line everywhere
       spread = EvenSpread();
@@ -145,6 +148,7 @@ private:
   const SurfaceGraphOptions& options_;
   SurfaceGraph& graph_;
   GraphSource& source_;
+  const CloudCheck& check_;
   std::vector<std::uint8_t> left_out_; ///< of the points given
   Indices isolated_;                   ///< not in the last even choice, but possibly in the next
   bool any_left_out_ = false;
@@ -153,9 +157,10 @@ private:
 } // namespace
 
 Status
-buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source)
+buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source,
+                const CloudCheck& check)
 {
-  return CleanGraph(options, graph, source).build(std::move(points));
+  return CleanGraph(options, graph, source, check).build(std::move(points));
 }
 
 } // namespace pcl_spiral

@@ -9,7 +9,10 @@
 
 #include "cleaning/standing_clusters.h"
 #include "count_warnings.h"
+#include "disconnected_scan.h"
+#include "graph_options.h"
 #include "part_choice.h"
+#include "space_filling.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -17,27 +20,6 @@
 
 namespace pcl_spiral {
 namespace {
-
-constexpr double most_isolated = 0.1; // of all points: more are not outliers
-
-SurfaceGraphOptions
-graphOptions(const SurfaceSettings& settings)
-{
-  SurfaceGraphOptions options;
-  options.neighbours = settings.neighbours;
-  options.max_circumradius = settings.alpha;
-  options.view_point = settings.view_point;
-  options.flip_normals = settings.flip_normals;
-  options.trust_normals = settings.trust_normals;
-  return options;
-}
-
-Eigen::Vector3d
-middleOf(const Box& box)
-{
-  return 0.5 * (Eigen::Map<const Eigen::Vector3f>(box.low.data()).cast<double>() +
-                Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>());
-}
 
 /** The work of makeSurface. */
 class SurfaceMaker {
@@ -53,9 +35,11 @@ public:
     normals_ = std::move(points.normals);
     if (const Status status = build(std::move(points.positions)); !status.ok())
       return status;
-    if (settings_.largest_part || settings_.part_at)
+    if (isChosen())
       if (const Status status = keepOnePart(); !status.ok())
         return status;
+    if (const Status status = checkConnected(); !status.ok())
+      return status;
     if (const Status status = leaveSpecksOut(); !status.ok())
       return status;
     if (const Status status = checkClusters(); !status.ok())
@@ -72,13 +56,17 @@ private:
     options.given_normals = normals_;
     GraphSource source;
     const std::size_t given = points.size();
-    if (const Status status = buildCleanGraph(std::move(points), options, parts_.graph, source); !status.ok())
-      return status;
+    CloudCheck check;
+    if (settings_.strict && place_.empty())
+      check = [this](const PointBlocks& blocks) { return checkFillsSpace(blocks, settings_); };
+    const Status status = buildCleanGraph(std::move(points), options, parts_.graph, source, check);
     parts_.counts.passes += source.passes;
+    if (!status.ok())
+      return status;
     parts_.counts.isolated += source.strays.size();
     parts_.counts.surplus += source.surplus;
-    if (settings_.strict && static_cast<double>(source.strays.size()) > most_isolated * static_cast<double>(given))
-      return disconnected(source.strays, given);
+    for (const std::uint32_t i : source.strays)
+      isolated_.push_back(placeOf(i));
     if (source.indices.size() == given)
       return Status::success();
     for (std::uint32_t i = 0; i < given; ++i)
@@ -117,21 +105,33 @@ private:
       select(normals_);
   }
 
-  /** \p outliers of the \p given points. */
-  Status disconnected(const std::vector<std::uint32_t>& outliers, std::size_t given) const
+  /** Refuse too many isolated points. If a part was chosen, only those over it count; the others are other things beside it. */
+  Status checkConnected()
   {
-    std::vector<Eigen::Vector3f> isolated;
-    for (const std::uint32_t i : outliers)
-      isolated.push_back(all_[placeOf(i)]);
-    const StandingPoints lie = standingPoints(parts_.graph, isolated);
-    const Box box = parts_.graph.blocks().box();
-    return {StatusCode::InvalidInput,
-            textOf(isolated.size(), " of ", given, " points are isolated, far from the densest part of the cloud, which lies around ",
-                   placeText(middleOf(box)), ", is ", box.diagonal(), " mm across and has a point every ", parts_.graph.spacing(),
-                   " mm; half of them are more than ", lie.median_height, " mm above or below its surface, the farthest ",
-                   lie.largest_height,
-                   " mm: the scan is disconnected; where trees or flying points are, crop the scan to the part "
-                   "(setCrop); otherwise leave that part out, or thin the cloud to an even spacing (setThinning)")};
+    if (!settings_.strict || !areMany(isolated_.size(), all_.size()))
+      return Status::success();
+    std::vector<Eigen::Vector3f> over, beside;
+    for (const std::uint32_t i : isolated_) {
+      const bool counts = !isChosen() || isOverPart(parts_.graph, all_[i].cast<double>());
+      (counts ? over : beside).push_back(all_[i]);
+      if (!counts)
+        why_[i] = static_cast<std::int8_t>(LeftOut::OtherPart);
+    }
+    if (!isChosen())
+      return disconnectedRefusal(parts_.graph, over, all_.size());
+    parts_.counts.isolated -= beside.size();
+    parts_.counts.other_part += beside.size();
+    const std::size_t about = parts_.graph.size() + over.size();
+    return areMany(over.size(), about) ? disconnectedRefusal(parts_.graph, over, about) : Status::success();
+  }
+
+  bool isChosen() const { return settings_.largest_part || settings_.part_at; }
+
+  /** Whether \p isolated of \p points are too many to be outliers. */
+  static bool areMany(std::size_t isolated, std::size_t points)
+  {
+    constexpr double most_isolated = 0.1;
+    return static_cast<double>(isolated) > most_isolated * static_cast<double>(points);
   }
 
   Status keepOnePart()
@@ -247,6 +247,7 @@ private:
   std::vector<Eigen::Vector3f> all_; ///< the points given
   std::vector<std::uint32_t> place_; ///< indices of the points in use among those given; empty: all of them, in order
   std::vector<Eigen::Vector3f> normals_;
+  std::vector<std::uint32_t> isolated_; ///< indices among the points given
 };
 
 } // namespace
@@ -258,41 +259,6 @@ makeSurface(SurfacePoints points, const SurfaceSettings& settings, const Surface
   parts = Surface::Parts();
   parts.counts = counts;
   return SurfaceMaker(settings, parts, why).make(std::move(points));
-}
-
-Status
-addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges, Surface::ConstPtr& result)
-{
-  result.reset();
-  Surface::Parts parts;
-  parts.settings = surface->settings();
-  parts.counts = surface->counts();
-  parts.left_out = surface->leftOut();
-  parts.input_size = surface->inputSize();
-  parts.side = surface->side();
-  parts.warnings = surface->warnings();
-  parts.clusters = surface->clusters();
-  SurfaceGraphOptions options = graphOptions(parts.settings);
-  options.flip_normals = false; // the outer side is that of the surface given
-  options.given_normals = surface->graph().normals();
-  options.given_normals.resize(surface->size() + bridges.size(), Eigen::Vector3f::Zero());
-  std::vector<Eigen::Vector3f> points = surface->graph().blocks().points();
-  for (std::size_t i = 0; i < surface->size(); ++i)
-    parts.source.push_back(surface->sourceIndex(i));
-  surface.reset();
-  // Nothing more is left out: the counts stay valid.
-  points.insert(points.end(), bridges.begin(), bridges.end());
-  parts.source.resize(points.size(), Surface::no_source);
-  parts.counts.guessed += bridges.size();
-  if (const Status status = parts.graph.build(std::move(points), options); !status.ok())
-    return status;
-  ++parts.counts.passes;
-  const auto made = std::make_shared<const Surface>(std::move(parts));
-  if (made->settings().strict)
-    if (const Status status = checkSingleSheet(*made); !status.ok())
-      return status;
-  result = made;
-  return Status::success();
 }
 
 } // namespace pcl_spiral

@@ -7,6 +7,7 @@
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace pcl_spiral {
@@ -19,13 +20,17 @@ struct GraphSource {
   std::size_t surplus = 0;            ///< left out: much closer together than the points around them, as along scan lines
 };
 
+/** Says whether a cloud, in spatial order, may be a surface. */
+using CloudCheck = std::function<Status(const PointBlocks&)>;
+
 /** Build \p graph from \p points without outliers: isolated points, sparse clusters, spikes, and if these are more than one in a
  *  thousand, those of isolatedOutliers. The search is repeated after each removal, up to five times, because an outlier may hide another.
  *  Before that, some points are left out until every point has neighbours all round: where points lie much closer along scan lines
  *  than the lines are apart, nearly at one place, or beside a much sparser part. This is done once more if outliers were found,
  *  because they had others left out in their favour.
- *  Fails where SurfaceGraph::build fails.
+ *  Fails where \p check fails, which is called before all else, and where SurfaceGraph::build fails.
  *  \sa evenSpread, SurfaceGraph::strayPoints, sparseClusters, spikeOutliers, isolatedOutliers */
-Status buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source);
+Status buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source,
+                       const CloudCheck& check = {});
 
 } // namespace pcl_spiral

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points that fill space are refused before any graph is built of them, with how they lie; noisy, folded and sparse surfaces are not.
+#include <pcl_spiral/surface/scanned_surface.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace pcl_spiral;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr int count = 12000;
+
+/** count points made by \p make from a random source. */
+std::vector<Eigen::Vector3f>
+drawn(const std::function<Vector3d(const std::function<double()>&, const std::function<double()>&)>& make)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> even(-1.0, 1.0);
+  std::normal_distribution<double> normal;
+  const std::function<double()> unit = [&] { return even(random); }, gauss = [&] { return normal(random); };
+  std::vector<Eigen::Vector3f> points;
+  while (points.size() < count)
+    points.push_back(make(unit, gauss).cast<float>());
+  return points;
+}
+
+struct Outcome {
+  Status status;
+  int passes = 0; ///< graphs built
+};
+
+Outcome
+made(const std::vector<Eigen::Vector3f>& points, const SurfaceSettings& settings = {})
+{
+  SurfacePoints given;
+  given.positions = points;
+  Surface::Parts parts;
+  std::vector<std::int8_t> why;
+  Outcome outcome;
+  outcome.status = makeSurface(std::move(given), settings, {}, parts, why);
+  outcome.passes = parts.counts.passes;
+  return outcome;
+}
+
+void
+expectRefusedEarly(const std::vector<Eigen::Vector3f>& points, const SurfaceSettings& settings = {})
+{
+  const Outcome outcome = made(points, settings);
+  ASSERT_FALSE(outcome.status.ok());
+  EXPECT_EQ(outcome.passes, 0) << outcome.status.message();
+  for (const char* words : {"not a single sheet", "Half of the points lie within", "% of these above it", "mm at (", "(setCrop)"})
+    EXPECT_NE(outcome.status.message().find(words), std::string::npos) << outcome.status.message();
+}
+
+Vector3d
+wave(double x, double y)
+{
+  return {x, y, 4.0 * std::sin(x / 15.0) * std::cos(y / 18.0)};
+}
+
+const double spacing = 100.0 / std::sqrt(count); // of the points of a square of 100 mm
+
+} // namespace
+
+TEST(HopelessScans, NoiseFarAboveTheSpacing)
+{
+  expectRefusedEarly(drawn([](const auto& unit, const auto&) { return Vector3d(50.0 * unit(), 50.0 * unit(), 5.0 * unit()); }));
+  expectRefusedEarly(drawn([](const auto& unit, const auto& gauss) {
+    return Vector3d(wave(50.0 * unit(), 50.0 * unit()) + 5.0 * spacing * gauss() * Vector3d::UnitZ());
+  }));
+}
+
+TEST(HopelessScans, RandomPoints)
+{
+  const auto points = drawn([](const auto& unit, const auto&) { return Vector3d(50.0 * unit(), 50.0 * unit(), 50.0 * unit()); });
+  expectRefusedEarly(points);
+  SurfaceSettings settings;
+  settings.largest_part = true;
+  expectRefusedEarly(points, settings);
+  settings = {};
+  settings.part_at = Vector3d(10.0, 10.0, 10.0);
+  expectRefusedEarly(points, settings);
+}
+
+TEST(HopelessScans, TreesOverGround)
+{
+  expectRefusedEarly(drawn([](const auto& unit, const auto& gauss) {
+    if (unit() < -0.3)
+      return wave(50.0 * unit(), 50.0 * unit());
+    const Vector3d tree(40.0 * std::round(1.4 * unit()), 40.0 * std::round(1.4 * unit()), 15.0);
+    return Vector3d(tree + 4.0 * Vector3d(gauss(), gauss(), gauss()));
+  }));
+}
+
+TEST(HopelessScans, ANoisySurfaceIsNotRefusedEarly)
+{
+  const auto noisy = [](double noise) {
+    return drawn([noise](const auto& unit, const auto& gauss) {
+      return Vector3d(wave(50.0 * unit(), 50.0 * unit()) + noise * spacing * gauss() * Vector3d::UnitZ());
+    });
+  };
+  EXPECT_TRUE(made(noisy(0.3)).status.ok());
+  EXPECT_GT(made(noisy(1.0)).passes, 0);
+}
+
+TEST(HopelessScans, ThinWallsAndTubesAreNotRefusedEarly)
+{
+  for (const double apart : {2.0, 5.0})
+    EXPECT_GT(made(drawn([apart](const auto& unit, const auto&) {
+                return Vector3d(wave(50.0 * unit(), 50.0 * unit()) + (unit() < 0.0 ? apart * spacing : 0.0) * Vector3d::UnitZ());
+              })).passes,
+              0)
+        << apart;
+  EXPECT_GT(made(drawn([](const auto& unit, const auto&) { // a wire: 8 points across
+              const double angle = 3.14159 * unit();
+              return Vector3d(2000.0 * unit(), std::cos(angle), std::sin(angle));
+            }))
+                .passes,
+            0);
+}
+
+TEST(HopelessScans, APartBesideABushIsNotRefusedEarly)
+{
+  const auto points = drawn([](const auto& unit, const auto& gauss) {
+    return unit() < -0.4 ? wave(50.0 * unit(), 50.0 * unit())
+                         : Vector3d(Vector3d(150.0, 0.0, 20.0) + 20.0 * Vector3d(gauss(), gauss(), gauss()));
+  });
+  expectRefusedEarly(points);
+  SurfaceSettings settings;
+  settings.part_at = wave(0.0, 0.0);
+  const Outcome chosen = made(points, settings);
+  EXPECT_TRUE(chosen.status.ok()) << chosen.status.message();
+}
+
+TEST(HopelessScans, ManyPointsOverTheChosenPartAreRefused)
+{
+  const auto points = drawn([](const auto& unit, const auto& gauss) {
+    return unit() < 0.4 ? wave(50.0 * unit(), 50.0 * unit())
+                        : Vector3d(Vector3d(0.0, 0.0, 60.0) + 12.0 * Vector3d(gauss(), gauss(), gauss()));
+  });
+  SurfaceSettings settings;
+  settings.part_at = wave(0.0, 0.0);
+  const Outcome chosen = made(points, settings);
+  EXPECT_FALSE(chosen.status.ok());
+  EXPECT_NE(chosen.status.message().find("are isolated"), std::string::npos) << chosen.status.message();
+}
