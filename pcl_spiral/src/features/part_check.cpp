@@ -21,15 +21,10 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
   const std::size_t all = graph.triangulation().triangleCount();
   counts.left_out_parts = sizes.size() - 1;
   counts.left_out_triangles = all - sizes[0];
-  std::vector<SurfacePart> parts = sizes.size() > 1 ? surfaceParts(graph).parts : std::vector<SurfacePart>();
+  const std::vector<SurfacePart> parts = sizes.size() > 1 ? surfaceParts(graph).parts : std::vector<SurfacePart>();
   const OtherParts others = otherParts(parts, options.largest_left_out);
   if (others == OtherParts::TooLarge || others == OtherParts::TooMany) {
     const bool large = others == OtherParts::TooLarge;
-    if (large)
-      parts.erase(std::remove_if(
-                      parts.begin() + 1, parts.end(),
-                      [&, first = parts.front()](const SurfacePart& part) { return isSpeck(part, first, all, options.largest_left_out); }),
-                  parts.end());
     return {StatusCode::InvalidInput,
             textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),
                    large ? "; keep only the largest one (setLargestPart), or only the one to be machined, by a place on it (setPartAt)"

@@ -102,10 +102,12 @@ otherParts(const std::vector<SurfacePart>& parts, double share)
 std::string
 partsText(const std::vector<SurfacePart>& parts)
 {
-  constexpr std::size_t most_named = 4;
+  constexpr std::size_t most_named = 6;
+  std::vector<SurfacePart> by_area = parts;
+  std::stable_sort(by_area.begin(), by_area.end(), [](const SurfacePart& a, const SurfacePart& b) { return a.area > b.area; });
   std::string list;
   for (std::size_t i = 0; i < std::min(parts.size(), most_named); ++i)
-    list += textOf(i > 0 ? ", " : "", parts[i].area, " mm2 at ", placeText(parts[i].place));
+    list += textOf(i > 0 ? ", " : "", by_area[i].area, " mm2 at ", placeText(by_area[i].place));
   if (parts.size() > most_named)
     list += textOf(" and ", parts.size() - most_named, " more");
   return list;

@@ -41,6 +41,16 @@ addShank(const pcl::PointCloud<ToolpathPoint>& path, double radius, std::vector<
   }
 }
 
+/** The deepest of \p points; absent if none is deeper than 0. */
+std::optional<BallEntry>
+deepestOf(const std::vector<Eigen::Vector3f>& points, const std::vector<double>& depths)
+{
+  const auto most = std::max_element(depths.begin(), depths.end());
+  if (most == depths.end() || !(*most > 0.0))
+    return std::nullopt;
+  return BallEntry{*most, points[static_cast<std::size_t>(most - depths.begin())].cast<double>()};
+}
+
 } // namespace
 
 std::vector<Eigen::Vector3d>
@@ -65,31 +75,36 @@ deepestEntry(const pcl::PointCloud<ToolpathPoint>& path, const std::vector<Eigen
   return deepest.depth > 0.0 ? std::optional(deepest) : std::nullopt;
 }
 
-std::optional<BallEntry>
-deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Eigen::Vector3f>& points)
+std::vector<double>
+depthsInWay(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Eigen::Vector3f>& points)
 {
   constexpr double step = 0.02; // of the radius: between places on a way; the depth is then known to a 20000th of the radius
   std::vector<Eigen::Vector3f> places;
+  std::vector<double> depths(points.size(), 0.0);
+  if (points.empty())
+    return depths;
   forWays(path, ballCentres(path, radius), [&](std::size_t, const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
     const auto pieces = static_cast<int>(std::ceil((end - begin).norm() / (step * radius)));
     for (int k = 0; k < std::max(1, pieces); ++k)
       places.emplace_back((begin + (end - begin) * k / std::max(1, pieces)).cast<float>());
   });
-  if (places.empty() || points.empty())
-    return std::nullopt;
+  if (places.empty())
+    return depths;
   addShank(path, radius, places);
   const PointBlocks blocks(std::move(places));
-  std::vector<double> depths(points.size(), 0.0);
 #pragma omp parallel for schedule(dynamic, 256)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i)
     if (blocks.box().squaredDistance(points[i].data()) < static_cast<float>(radius * radius)) {
       const Eigen::Vector3d place = points[i].cast<double>();
-      depths[i] = radius - (blocks.position(blocks.nearest(place)) - place).norm();
+      depths[i] = std::max(0.0, radius - (blocks.position(blocks.nearest(place)) - place).norm());
     }
-  const auto most = std::max_element(depths.begin(), depths.end());
-  if (!(*most > 0.0))
-    return std::nullopt;
-  return BallEntry{*most, points[static_cast<std::size_t>(most - depths.begin())].cast<double>()};
+  return depths;
+}
+
+std::optional<BallEntry>
+deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Eigen::Vector3f>& points)
+{
+  return deepestOf(points, depthsInWay(path, radius, points));
 }
 
 std::optional<BallEntry>
@@ -104,10 +119,7 @@ deepestPoint(const CutterSweep& sweep, const std::vector<Eigen::Vector3f>& point
         place, [&] { return sweep.boundingRadius(); },
         [&](std::size_t move) { depths[i] = std::max(depths[i], sweep.depth(move, place)); });
   }
-  const auto most = std::max_element(depths.begin(), depths.end());
-  if (most == depths.end() || !(*most > 0.0))
-    return std::nullopt;
-  return BallEntry{*most, points[static_cast<std::size_t>(most - depths.begin())].cast<double>()};
+  return deepestOf(points, depths);
 }
 
 } // namespace pcl_spiral

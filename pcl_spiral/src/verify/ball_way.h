@@ -32,8 +32,11 @@ std::vector<Eigen::Vector3d> ballCentres(const pcl::PointCloud<ToolpathPoint>& p
 std::optional<BallEntry> deepestEntry(const pcl::PointCloud<ToolpathPoint>& path, const std::vector<Eigen::Vector3d>& centres,
                                       double radius, const std::vector<Prism>& prisms);
 
-/** How deep \p points are in the ball and its shank on their moves along \p path; absent if none is in them. The scanner sees the top of
- *  a clamp and not its walls: the shank meets the top. Lifts are not looked at. */
+/** How deep each of \p points is in the ball or its shank on their moves along \p path, mm; 0 outside. The scanner sees the top of a
+ *  clamp and not its walls: the shank meets the top. Lifts are not looked at. */
+std::vector<double> depthsInWay(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Eigen::Vector3f>& points);
+
+/** The deepest of depthsInWay; absent if no point is in the way. */
 std::optional<BallEntry> deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius,
                                       const std::vector<Eigen::Vector3f>& points);
 

@@ -13,6 +13,7 @@
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include "verify/ball_way.h"
+#include "verify/things_in_the_way.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 
@@ -157,13 +158,15 @@ checkWay(const Job& job, const Result& result)
   if (result.surface)
     for (const Eigen::Vector3f& point : result.surface->riddenPoints())
       beside.push_back(point);
-  const auto cut = deepestPoint(*result.path, radius, beside);
-  if (cut && cut->depth > allowed)
-    throw FileError(job.scan,
-                    textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", cut->depth, " mm into the scan at ",
-                           placeText(cut->place),
-                           ", beside the part that was chosen: keep out of what stands there with a polygon that covers it (--keep-out)",
-                           job.settings.tilt_angle > 0.0 ? ", or, if the shank hits it, tilt the tool less (--tilt)" : ""));
+  constexpr double link = 3.0; // spacings
+  const std::vector<ThingInTheWay> things = thingsInTheWay(*result.path, radius, beside, allowed, link * result.report.spacing);
+  if (things.empty())
+    return;
+  const std::string text = textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth,
+                                  " mm into the scan at ", placeText(things.front().place), ", beside the part that was chosen. ",
+                                  thingsText(things), ": keep out of each with a polygon that covers it (--keep-out)",
+                                  job.settings.tilt_angle > 0.0 ? ", or, if the shank hits it, tilt the tool less (--tilt)" : "");
+  throw FileError(job.scan, withFilePlaces(text, job.read));
 }
 
 /** The path over the region that job.part chooses. \p result has what readInput gave. */
