@@ -84,6 +84,8 @@ thingsInTheWay(const pcl::PointCloud<ToolpathPoint>& path, double radius, const 
       things.push_back(groups[g]);
       if (covers(groups[g].box, path))
         things.back().box = cut[g];
+      const Eigen::Vector3d aside(link / 3.0, link / 3.0, 0.0);
+      things.back().box = Eigen::AlignedBox3d(things.back().box.min() - aside, things.back().box.max() + aside);
     }
   std::stable_sort(things.begin(), things.end(), [](const ThingInTheWay& a, const ThingInTheWay& b) { return a.depth > b.depth; });
   return things;
