@@ -113,6 +113,24 @@ Box::outline(double margin) const
   return corners;
 }
 
+bool
+isClear(const test::AnalyticSurface& part, const Box& box, double margin)
+{
+  constexpr int steps = 200; // of a side of the outline
+  const test::PlaneLoop& outline = part.region().loops().front();
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    for (int k = 0; k < (outline.size() < 100 ? steps : 1); ++k)
+      if (box.covers(outline[i] + (outline[(i + 1) % outline.size()] - outline[i]) * k / steps, margin))
+        return false;
+  return !part.region().contains(box.centre);
+}
+
+bool
+overlap(const Box& a, const Box& b)
+{
+  return (a.centre - b.centre).norm() < std::hypot(a.half_x, a.half_y) + std::hypot(b.half_x, b.half_y);
+}
+
 void
 addBox(Scene& scene, const Box& box)
 {

@@ -32,6 +32,12 @@ struct Box {
   test::PlaneLoop outline(double margin = 0.0) const;
 };
 
+/** Whether the box is outside the part by more than \p margin. */
+bool isClear(const test::AnalyticSurface& part, const Box& box, double margin);
+
+/** Whether two boxes, however they are turned, may overlap. */
+bool overlap(const Box& a, const Box& b);
+
 /** Adds the box: its top to the scan, its faces to the bodies; removes what it hides from the scan. */
 void addBox(Scene& scene, const Box& box);
 

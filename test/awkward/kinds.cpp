@@ -27,6 +27,7 @@ tableAndClamps(Scene& s, test::Random& random)
   s.motion = levelMotion(random, 200.0);
   const double down = random.uniform(20.0, 40.0);
   addTable(s, -down, random.uniform(20.0, 80.0));
+  std::vector<Box> clamps;
   for (std::size_t i = 2 + random.below(3); i > 0; --i) {
     Box clamp;
     clamp.half_x = random.uniform(5.0, 10.0);
@@ -35,15 +36,14 @@ tableAndClamps(Scene& s, test::Random& random)
     clamp.top = random.uniform(5.0, 15.0);
     const double angle = random.uniform(0.0, two_pi);
     const Vector2d way(std::cos(angle), std::sin(angle));
-    // outward until the clamp is clear of the part by more than the ball
+    // outward until the clamp is clear of the part by more than the ball, and of the other clamps
     for (double out = 0.0;; out += 2.0) {
       clamp.centre = out * way;
-      bool clear = true;
-      for (const Vector2d& p : s.part->region().loops().front())
-        clear = clear && !clamp.covers(p, 2.0 * s.radius + 2.0);
-      if (clear && !s.part->region().contains(clamp.centre))
+      if (isClear(*s.part, clamp, 2.0 * s.radius + 2.0) &&
+          std::none_of(clamps.begin(), clamps.end(), [&](const Box& other) { return overlap(clamp, other); }))
         break;
     }
+    clamps.push_back(clamp);
     addBox(s, clamp);
   }
   const Vector3d on = innerPlace(*s.part, 10.0, random);

@@ -26,9 +26,13 @@ warningsOf(const MachineProgram& program)
   const ProgramReport& report = program.report;
   const char first = program.machine.rotary[0].letter;
   std::vector<std::string> warnings;
-  for (const PoleZone& zone : report.poles)
-    warnings.push_back(textOf("near the pole, ", first, " would turn faster than its limit: the tool axis was blended from ", zone.begin,
-                              " to ", zone.end, " mm of the path, by up to ", zone.largest_change * in_degrees, " degrees"));
+  if (!report.poles.empty()) {
+    const auto less = [](const PoleZone& a, const PoleZone& b) { return a.largest_change < b.largest_change; };
+    const PoleZone& most = *std::max_element(report.poles.begin(), report.poles.end(), less);
+    const std::string where = report.poles.size() == 1 ? std::string("from ") : textOf("in ", report.poles.size(), " places, most from ");
+    warnings.push_back(textOf("near the pole, ", first, " would turn faster than its limit: the tool axis was blended ", where, most.begin,
+                              " to ", most.end, " mm of the path, by up to ", most.largest_change * in_degrees, " degrees"));
+  }
   if (const std::size_t by_axis = report.slowed_blocks - report.tool_slowed_blocks; by_axis > 0)
     warnings.push_back(textOf(by_axis, " of ", report.cut_blocks,
                               " blocks run below the feed because of the rate limit of an axis, the slowest at ",
