@@ -140,19 +140,6 @@ TEST_F(BesideClamps, ARefusalNamesTheExtentOfEveryClampInTheWayAndPolygonsByItHe
   expectCapCut(clamps, 16.0);
 }
 
-TEST_F(BesideClamps, NarrowStripsBesideAKeepOutAreLeftOut)
-{
-  for (const double x : {29.5, 30.5}) {
-    const AlignedBox2d clamp(Vector2d(x - 4.0, -4.0), Vector2d(x + 4.0, 4.0));
-    write({clamp}, 12.0);
-    writePolygon("keep.txt", {clamp.min() - Vector2d::Constant(0.5), clamp.max() + Vector2d::Constant(0.5)});
-    const RunResult result = run({"--keep-out", "keep.txt"});
-    ASSERT_EQ(result.code, 0) << x << ": " << result.err;
-    EXPECT_NE(result.err.find("in strips beside them"), std::string::npos) << x << ": " << result.err;
-    expectCapCut({clamp}, 16.0);
-  }
-}
-
 TEST_F(BesideClamps, AllSmallPartsAreListedOrCounted)
 {
   std::vector<AlignedBox2d> clamps{{Vector2d(60.0, -40.0), Vector2d(130.0, 40.0)}}; // too large for a cluster
