@@ -45,15 +45,19 @@ addGrid(double width, double height, double spacing, const Place& place)
 test::SurfacePtr
 drawnPart(test::Random& random, double size)
 {
-  if (!(size > 0.0))
-    size = random.uniform(60.0, 120.0);
+  return drawnPartOf(size * random.uniform(60.0, 120.0), random);
+}
+
+test::SurfacePtr
+drawnPartOf(double length, test::Random& random)
+{
   test::Ground form;
   form.amplitude = random.uniform(0.0, 3.0);
   form.length_x = random.uniform(20.0, 40.0);
   form.length_y = random.uniform(20.0, 40.0);
   form.bend_x = random.uniform(-0.006, 0.003);
   form.bend_y = random.uniform(-0.006, 0.003);
-  return test::ground(form, test::Region({drawnOutline(random, size)}));
+  return test::ground(form, test::Region({drawnOutline(random, length)}));
 }
 
 void

@@ -8,8 +8,11 @@
 
 namespace pcl_spiral::awkward {
 
-/** A gently curved part of 60 to 120 mm with a simple outline, in the x-y plane of its frame. */
-test::SurfacePtr drawnPart(test::Random& random, double size = 0.0);
+/** A gently curved part of 60 to 120 mm, times \p size, with a simple outline, in the x-y plane of its frame. */
+test::SurfacePtr drawnPart(test::Random& random, double size);
+
+/** The same of \p length, mm. */
+test::SurfacePtr drawnPartOf(double length, test::Random& random);
 
 /** Sets the part, the cutter and a clean scan of it. */
 void drawScan(Scene& scene, test::SurfacePtr part, test::Random& random);

@@ -139,14 +139,14 @@ judgeBodies(const Scene& s, const std::vector<Eigen::Vector3d>& centres, double 
 }
 
 void
-judgeCover(const Scene& s, const std::vector<Eigen::Vector3d>& centres, double tolerance, std::vector<std::string>& faults)
+judgeCover(const Scene& s, const std::vector<Eigen::Vector3d>& centres, double tolerance, bool kept_out, std::vector<std::string>& faults)
 {
   const std::vector<test::MoveTree> trees = cuts(centres, 1.5 * s.radius);
   const double most = 2.0 * s.scallop + tolerance, band = 2.0 * s.spacing + std::sqrt(2.0 * s.radius * s.scallop);
   std::size_t counted = 0, uncut = 0;
   Worst left;
   for (const Eigen::Vector3d& x : test::sampleUniform(*s.part, samples, 99).points) {
-    if (s.exempt(x) || s.part->rimDistance(x) < band)
+    if (s.exempt(x) || (kept_out && s.exempt_kept_out(x)) || s.part->rimDistance(x) < band)
       continue;
     double nearest = 1e300;
     for (const test::MoveTree& tree : trees)
@@ -165,7 +165,7 @@ judgeCover(const Scene& s, const std::vector<Eigen::Vector3d>& centres, double t
 } // namespace
 
 std::vector<std::string>
-faultsOf(const Scene& scene, const std::string& file)
+faultsOf(const Scene& scene, const std::string& file, bool kept_out)
 {
   const std::vector<PathRow> rows = readRows(scene, file);
   if (rows.size() < 100)
@@ -177,7 +177,7 @@ faultsOf(const Scene& scene, const std::string& file)
   const double tolerance = 0.05 + 4.0 * scene.noise;
   judgePlaces(scene, rows, tolerance, faults);
   judgeBodies(scene, centres, tolerance, faults);
-  judgeCover(scene, centres, tolerance, faults);
+  judgeCover(scene, centres, tolerance, kept_out, faults);
   return faults;
 }
 

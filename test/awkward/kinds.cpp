@@ -23,7 +23,7 @@ constexpr double two_pi = 6.28318530717958647692;
 void
 tableAndClamps(Scene& s, test::Random& random)
 {
-  drawScan(s, drawnPart(random), random);
+  drawScan(s, drawnPart(random, s.size), random);
   s.motion = levelMotion(random, 200.0);
   const double down = random.uniform(20.0, 40.0);
   addTable(s, -down, random.uniform(20.0, 80.0));
@@ -46,6 +46,11 @@ tableAndClamps(Scene& s, test::Random& random)
     clamps.push_back(clamp);
     addBox(s, clamp);
   }
+  s.exempt_kept_out = [clamps, radius = s.radius](const Vector3d& x) {
+    return std::any_of(clamps.begin(), clamps.end(), [&](const Box& clamp) {
+      return clamp.covers(x.head<2>(), 2.0 * radius + 3.0 + 0.5 * std::max(0.0, clamp.top - x.z())); // the shank leans
+    });
+  };
   const Vector3d on = innerPlace(*s.part, 10.0, random);
   s.steps = {{{}, Outcome::PathOrRefusal, {"part-at"}},
              {{"--part-at", s.place(on)}, Outcome::PathOrRefusal, {"shank"}},
@@ -56,7 +61,7 @@ tableAndClamps(Scene& s, test::Random& random)
 void
 clampOnPart(Scene& s, test::Random& random)
 {
-  drawScan(s, drawnPart(random, 110.0), random);
+  drawScan(s, drawnPartOf(std::max(80.0, 110.0 * s.size), random), random);
   s.motion = levelMotion(random, 200.0);
   const Vector3d under = innerPlace(*s.part, 8.0, random);
   Box clamp;
@@ -70,6 +75,7 @@ clampOnPart(Scene& s, test::Random& random)
   s.keep_out = clamp.outline(0.5);
   const double around = 2.0 * s.radius + 3.0 + 0.5 * (clamp.top - under.z()); // the shank leans by 17 degrees and the slope
   s.exempt = [clamp, around](const Vector3d& x) { return clamp.covers(x.head<2>(), around); };
+  s.exempt_kept_out = [clamp, around](const Vector3d& x) { return clamp.covers(x.head<2>(), around + 4.0); }; // a polygon by the message
   Vector3d on = innerPlace(*s.part, 3.0, random);
   for (int i = 0; i < 100 && clamp.covers(on.head<2>(), 3.0); ++i)
     on = innerPlace(*s.part, 3.0, random);
@@ -82,7 +88,7 @@ clampOnPart(Scene& s, test::Random& random)
 void
 cameraFrame(Scene& s, test::Random& random)
 {
-  drawScan(s, drawnPart(random), random);
+  drawScan(s, drawnPart(random, s.size), random);
   const double lean = random.uniform(0.0, 0.5), far = random.uniform(300.0, 800.0);
   s.motion.linear() =
       (Eigen::AngleAxisd(two_pi / 2.0 + lean, Vector3d::UnitX()) * Eigen::AngleAxisd(random.uniform(0.0, two_pi), Vector3d::UnitZ()))
@@ -101,7 +107,7 @@ cameraFrame(Scene& s, test::Random& random)
 void
 mapCoordinates(Scene& s, test::Random& random)
 {
-  drawScan(s, drawnPart(random), random);
+  drawScan(s, drawnPart(random, s.size), random);
   s.motion = levelMotion(random, 1.0);
   s.unit = 1000.0;
   s.motion.translation() = 1000.0 * Vector3d(random.uniform(2e5, 8e5), random.uniform(1e6, 9e6), random.uniform(0.0, 900.0));
@@ -144,7 +150,7 @@ private:
 void
 jug(Scene& s, test::Random& random)
 {
-  const double radius = random.uniform(30.0, 50.0), height = random.uniform(40.0, 70.0), turn = random.uniform(0.25, 0.7);
+  const double radius = s.size * random.uniform(30.0, 50.0), height = s.size * random.uniform(40.0, 70.0), turn = random.uniform(0.25, 0.7);
   const bool inside = random.below(2) == 0;
   const test::Region region({test::rectangle(two_pi * radius * turn, height, {0.0, 0.5 * height})});
   drawScan(s, std::make_shared<Wall>(region, radius, random.uniform(0.05, 0.4), inside), random);
@@ -183,7 +189,8 @@ void
 tightFillet(Scene& s, test::Random& random)
 {
   const double slope = random.uniform(0.4, 0.9), fillet = random.uniform(1.5, 2.5);
-  const test::PlaneLoop outline = test::rectangle(random.uniform(50.0, 90.0), random.uniform(40.0, 70.0), {random.uniform(-8.0, 8.0), 0.0});
+  const test::PlaneLoop outline =
+      test::rectangle(s.size * random.uniform(50.0, 90.0), s.size * random.uniform(40.0, 70.0), {random.uniform(-8.0, 8.0), 0.0});
   drawScan(s, std::make_shared<Valley>(test::Region({outline}), slope, fillet), random);
   s.noise = 0.0;
   s.spacing = 0.4;
@@ -213,7 +220,7 @@ strip(Scene& s, test::Random& random)
 void
 cluster(Scene& s, test::Random& random)
 {
-  drawScan(s, drawnPart(random), random);
+  drawScan(s, drawnPart(random, s.size), random);
   s.motion = levelMotion(random, 100.0);
   const Vector3d below = innerPlace(*s.part, 12.0, random), up = s.part->normal(below);
   const double height = random.uniform(1.0, 8.0);
@@ -225,6 +232,7 @@ cluster(Scene& s, test::Random& random)
   }
   const double around = 2.0 * s.radius + 4.0;
   s.exempt = [below, around](const Vector3d& x) { return (x - below).norm() < around; };
+  s.exempt_kept_out = [below, around, height](const Vector3d& x) { return (x - below).norm() < around + 4.0 + 0.5 * height; };
   s.steps = {{{}, Outcome::PathOrRefusal, {"at ("}}};
 }
 
@@ -232,7 +240,7 @@ cluster(Scene& s, test::Random& random)
 void
 echoes(Scene& s, test::Random& random)
 {
-  drawScan(s, drawnPart(random), random);
+  drawScan(s, drawnPart(random, s.size), random);
   s.motion = levelMotion(random, 100.0);
   std::vector<Vector3d> feet;
   for (int i = 0; i < 12; ++i) {
@@ -250,17 +258,22 @@ echoes(Scene& s, test::Random& random)
 void
 trees(Scene& s, test::Random& random)
 {
-  drawScan(s, drawnPart(random), random);
+  drawScan(s, drawnPart(random, s.size), random);
   s.motion = levelMotion(random, 100.0);
+  std::vector<std::pair<Vector3d, double>> feet; // and the room that a tree takes
   for (std::size_t i = 2 + random.below(8); i > 0; --i) {
     const Vector3d foot = innerPlace(*s.part, 4.0, random);
     const double crown = random.uniform(2.0, 6.0), height = random.uniform(4.0, 12.0);
+    feet.push_back({foot, 2.0 * crown + 2.0 * s.radius + 0.5 * height});
     for (int k = 0; k < 60; ++k) {
       const Vector3d p = foot + Vector3d(0.0, 0.0, height) + crown * Vector3d(random.normal(), random.normal(), random.normal()) / 2.0;
       s.scan.points.push_back(p);
       s.scan.normals.push_back(Vector3d::UnitZ());
     }
   }
+  s.exempt = [feet](const Vector3d& x) {
+    return std::any_of(feet.begin(), feet.end(), [&](const auto& foot) { return (x - foot.first).norm() < foot.second; });
+  };
   s.steps = {{{}, Outcome::PathOrRefusal, {"at ("}}};
 }
 
@@ -294,10 +307,11 @@ kinds()
 }
 
 Scene
-makeScene(const std::string& kind, std::uint64_t seed, std::uint64_t index)
+makeScene(const std::string& kind, std::uint64_t seed, std::uint64_t index, double size)
 {
   test::Random random(seed * 1000003 + index);
   Scene scene;
+  scene.size = size;
   makers().at(kind)(scene, random);
   scene.name = kind + " " + std::to_string(seed) + "/" + std::to_string(index);
   return scene;

@@ -39,11 +39,14 @@ struct Scene {
   double body_spacing = 0; ///< of these samples
   /** Whether a place of the part may be left uncut. */
   std::function<bool(const Eigen::Vector3d&)> exempt = [](const Eigen::Vector3d&) { return false; };
+  /** Whether a place of the part may be left uncut if the user keeps out of what stands there. */
+  std::function<bool(const Eigen::Vector3d&)> exempt_kept_out = [](const Eigen::Vector3d&) { return false; };
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity(); ///< from the part to the file
   double unit = 1.0;                                        ///< of the file
   std::string file = "scan.xyz";                            ///< .xyz, .ply with normals, or .pcd with a VIEWPOINT
   Eigen::Vector3d view_point = Eigen::Vector3d::Zero();     ///< for a .pcd, of the file
   test::PlaneLoop keep_out;                                 ///< written to keep.txt, if there is one
+  double size = 1.0;                                        ///< of the part as drawn: 0.6 for a smaller one
   double radius = 4.0, scallop = 0.1, noise = 0.0, spacing = 0.8;
   std::vector<Step> steps;
 
@@ -54,7 +57,7 @@ struct Scene {
 /** Names of the kinds of scenes. */
 std::vector<std::string> kinds();
 
-/** Scene \p index of the series \p seed of a kind; the same on every platform. */
-Scene makeScene(const std::string& kind, std::uint64_t seed, std::uint64_t index);
+/** Scene \p index of the series \p seed of a kind, its part smaller by \p size; the same on every platform. */
+Scene makeScene(const std::string& kind, std::uint64_t seed, std::uint64_t index, double size);
 
 } // namespace pcl_spiral::awkward
