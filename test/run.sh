@@ -19,7 +19,7 @@ jobs=$(nproc)
 echo "Building with $jobs jobs"
 cmake --build "$build" --parallel "$jobs"
 
-echo "Testing"
+echo "Testing with $jobs tests at a time"
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24")
-"${display[@]}" ctest --test-dir "$build" --output-on-failure "$@"
+"${display[@]}" ctest --test-dir "$build" --parallel "$jobs" --output-on-failure "$@"
