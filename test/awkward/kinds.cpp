@@ -261,7 +261,7 @@ trees(Scene& s, test::Random& random)
   drawScan(s, drawnPart(random, s.size), random);
   s.motion = levelMotion(random, 100.0);
   std::vector<std::pair<Vector3d, double>> feet; // and the room that a tree takes
-  for (std::size_t i = 2 + random.below(8); i > 0; --i) {
+  for (std::size_t i = 2 + random.below(s.size < 1.0 ? 2 : 8); i > 0; --i) {
     const Vector3d foot = innerPlace(*s.part, 4.0, random);
     const double crown = random.uniform(2.0, 6.0), height = random.uniform(4.0, 12.0);
     feet.push_back({foot, 2.0 * crown + 2.0 * s.radius + 0.5 * height});

@@ -49,8 +49,7 @@ public:
   {
     const std::vector<Remedy> remedies = remediesOf(scene_, said, "r" + std::to_string(tried_.size()) + "_", folder_);
     for (const Remedy& remedy : remedies) {
-      if (!remedy.arguments.empty() && remedy.name != "--keep-out" &&
-          std::find(arguments.begin(), arguments.end(), remedy.arguments.front()) != arguments.end())
+      if (remedy.name == "--tilt 0" && std::find(arguments.begin(), arguments.end(), "--tilt") != arguments.end())
         continue; // done before
       if (depth > 0 && paths_ > 0)
         return;
@@ -75,6 +74,9 @@ public:
 private:
   void tryOne(const Scene& refused, Arguments arguments, const Remedy& remedy, const std::string& chain, int depth)
   {
+    if (const auto before = std::find(arguments.begin(), arguments.end(), "--part-at");
+        remedy.name == "--part-at" && before != arguments.end())
+      arguments.erase(before, before + 2); // another place
     arguments.insert(arguments.end(), remedy.arguments.begin(), remedy.arguments.end());
     Scene scene = refused;
     if (remedy.radius > 0.0)
