@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clamps beside a cap and near its rim, known exactly: refusals name what stands in the way and its extent, and a polygon drawn by it
-// helps; narrow strips beside a keep-out are left out.
+// helps; a strip beside a keep-out is left uncut only where no path is found with it, and is named.
 #include <pcl_spiral/io/toolpath_reader.h>
 
 #include "run_program.h"
@@ -38,8 +38,9 @@ distance(const AlignedBox2d& box, const Vector2d& p)
 
 class BesideClamps : public ::testing::Test {
 protected:
-  /** Scan of the cap and the flat tops of \p clamps, which hide the cap, at the height \p top. */
-  void write(const std::vector<AlignedBox2d>& clamps, double top)
+  /** Scan of the cap where \p is_part holds, and of \p more points. */
+  template <typename IsPart>
+  void writeCap(IsPart is_part, const std::string& more = "")
   {
     std::mt19937 random(8);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -49,14 +50,24 @@ protected:
     for (int i = 0; i < 9000; ++i) {
       const double r = rim * std::sqrt(unit(random)), angle = 2.0 * M_PI * unit(random);
       const Vector2d p(r * std::cos(angle), r * std::sin(angle));
-      if (std::none_of(clamps.begin(), clamps.end(), [&](const AlignedBox2d& clamp) { return clamp.contains(p); }))
+      if (is_part(p))
         all << (onCap(p.x(), p.y()) + Vector3d(0.0, 0.0, noise(random))).transpose() << '\n';
     }
+    writeText(folder_.path("scan.xyz"), all.str() + more);
+  }
+
+  /** Scan of the cap and the flat tops of \p clamps, which hide the cap, at the height \p top. */
+  void write(const std::vector<AlignedBox2d>& clamps, double top)
+  {
+    std::ostringstream tops;
     for (const AlignedBox2d& clamp : clamps)
       for (double x = clamp.min().x(); x <= clamp.max().x(); x += 0.8)
         for (double y = clamp.min().y(); y <= clamp.max().y(); y += 0.8)
-          all << x << ' ' << y << ' ' << top << '\n';
-    writeText(folder_.path("scan.xyz"), all.str());
+          tops << x << ' ' << y << ' ' << top << '\n';
+    const auto is_part = [&](const Vector2d& p) {
+      return std::none_of(clamps.begin(), clamps.end(), [&](const AlignedBox2d& clamp) { return clamp.contains(p); });
+    };
+    writeCap(is_part, tops.str());
   }
 
   void writePolygon(const std::string& name, const AlignedBox2d& box) const
@@ -99,6 +110,44 @@ protected:
     EXPECT_GT(counted, 300);
   }
 
+  /** Exact places of the cap at least 4.5 mm from its rim, where neither the ball nor its leaning shank comes nearer than \p band to
+   *  \p clamp, which is \p top high, and which the path in a.csv leaves uncut. */
+  std::vector<Vector3d> uncutPlaces(const AlignedBox2d& clamp, double top, double band) const
+  {
+    std::vector<Vector3d> centres, uncut;
+    for (const auto& p : pcl_spiral::readToolpath(folder_.path("a.csv")).path)
+      centres.push_back(p.getVector3fMap().cast<double>() + radius * p.getNormalVector3fMap().cast<double>());
+    for (double x = -rim; x <= rim; x += 1.1)
+      for (double y = -rim; y <= rim; y += 1.1) {
+        const Vector3d p = onCap(x, y), normal = (p + Vector3d(0.0, 0.0, ball)) / ball;
+        if (std::hypot(x, y) > rim - 4.5 || leaningClearance(clamp, top, p + radius * normal, normal) < band)
+          continue;
+        double least = std::numeric_limits<double>::max();
+        for (const Vector3d& c : centres)
+          least = std::min(least, (c - p).norm());
+        if (least - radius > 0.3) // from path points: up to a step between them
+          uncut.push_back(p);
+      }
+    return uncut;
+  }
+
+  /** Distance from the clamp of the ball at \p centre and of its shank, ten radii long, leaning from \p normal by up to 17 degrees. */
+  static double leaningClearance(const AlignedBox2d& clamp, double top, const Vector3d& centre, const Vector3d& normal)
+  {
+    const double lean = 17.0 * M_PI / 180.0;
+    const Vector3d across = normal.unitOrthogonal(), other = normal.cross(across);
+    double least = distance(clamp, centre.head<2>()) - radius;
+    for (int k = 0; k < 24; ++k) {
+      const double angle = M_PI * k / 12.0;
+      const Vector3d axis = std::cos(lean) * normal + std::sin(lean) * (std::cos(angle) * across + std::sin(angle) * other);
+      for (double s = 0.0; s <= 10.0 * radius; s += 0.5) {
+        const Vector3d place = centre + s * axis;
+        least = std::min(least, std::hypot(distance(clamp, place.head<2>()), std::max(place.z() - top, 0.0)) - radius);
+      }
+    }
+    return least;
+  }
+
   /** The extents "from (..) to (..)" of a message, seen from above, in its order. */
   static std::vector<AlignedBox2d> extents(const std::string& message)
   {
@@ -138,6 +187,81 @@ TEST_F(BesideClamps, ARefusalNamesTheExtentOfEveryClampInTheWayAndPolygonsByItHe
   const RunResult result = run(remedy);
   ASSERT_EQ(result.code, 0) << result.err;
   expectCapCut(clamps, 16.0);
+}
+
+TEST_F(BesideClamps, AStripIsLeftUncutOnlyWhereNoPathIsFoundWithItAndIsNamed)
+{
+  constexpr double top = 12.0;
+  const auto cut = [&](double x, AlignedBox2d& clamp) {
+    clamp = AlignedBox2d(Vector2d(x - 4.0, -4.0), Vector2d(x + 4.0, 4.0));
+    write({clamp}, top);
+    writePolygon("keep.txt", {clamp.min() - Vector2d::Constant(0.5), clamp.max() + Vector2d::Constant(0.5)});
+    return run({"--keep-out", "keep.txt", "-o", "a.json"});
+  };
+  AlignedBox2d clamp;
+  for (const double x : {27.0, 28.0}) { // a path is found: all is cut
+    const RunResult wide = cut(x, clamp);
+    ASSERT_EQ(wide.code, 0) << wide.err;
+    EXPECT_EQ(wide.err.find("a strip between"), std::string::npos) << wide.err;
+    EXPECT_EQ(uncutPlaces(clamp, top, 3.0).size(), 0U) << x;
+  }
+  std::size_t named = 0;
+  for (const double x : {29.5, 30.0, 31.0}) {
+    const RunResult narrow = cut(x, clamp);
+    ASSERT_EQ(narrow.code, 0) << narrow.err;
+    const std::string number = "(-?[0-9.e+]+)";
+    const std::regex strip("is not cut: " + number + " mm2 at \\(" + number + ", " + number + ", [^)]*\\), narrower than " + number);
+    double area = 0.0;
+    std::vector<Vector2d> places;
+    for (std::sregex_iterator i(narrow.err.begin(), narrow.err.end(), strip), end; i != end; ++i) {
+      area += std::stod((*i)[1]);
+      places.emplace_back(std::stod((*i)[2]), std::stod((*i)[3]));
+      EXPECT_GT(places.back().x(), clamp.max().x() + radius) << "beyond the clamp: " << narrow.err;
+      EXPECT_LT(places.back().norm(), rim) << narrow.err;
+      EXPECT_LT(std::stod((*i)[4]), 3.9) << "five spacings: " << narrow.err;
+    }
+    named += places.size();
+    EXPECT_LT(area, 4.0 * 20.0) << narrow.err;
+    EXPECT_EQ(readText(folder_.path("a.json")).find("a strip between a keep-out and the rim is not cut") == std::string::npos,
+              places.empty());
+    for (const Vector3d& p : uncutPlaces(clamp, top, 3.0))
+      EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const Vector2d& q) { return (q - p.head<2>()).norm() < 0.5 * area; }))
+          << "not cut and not named: " << p.transpose() << '\n'
+          << narrow.err;
+    for (const auto& p : pcl_spiral::readToolpath(folder_.path("a.csv")).path) {
+      const Vector3d centre = p.getVector3fMap().cast<double>() + radius * p.getNormalVector3fMap().cast<double>();
+      ASSERT_GT(distance(clamp, centre.head<2>()), radius - 0.02) << centre.transpose();
+    }
+  }
+  EXPECT_GT(named, 0U) << "no case has a strip that is left uncut";
+}
+
+TEST_F(BesideClamps, AStripBetweenAHoleAndTheRimIsNamedWithItsWidthAndAPolygonOverItHelps)
+{
+  constexpr double hole = 8.0;
+  for (const double width : {1.0, 2.0}) {
+    const Vector2d middle(rim - width - hole, 0.0);
+    writeCap([&](const Vector2d& p) { return (p - middle).norm() > hole; });
+    const Arguments call{"scan.xyz", "-o", "a.csv", "--tool-radius", "4", "--scallop", "0.05", "--method", "constant-scallop"};
+    const RunResult refused = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, call, folder_), folder_);
+    ASSERT_EQ(refused.code, 1) << refused.err;
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(refused.err, found, std::regex("only ([0-9.]+) mm wide at \\(([-0-9.]+), ([-0-9.]+),"))) << refused.err;
+    EXPECT_NEAR(std::stod(found[1]), width, 0.4) << "half a spacing";
+    EXPECT_NEAR(std::stod(found[2]), rim - 0.5 * width, 0.4);
+    EXPECT_NEAR(std::stod(found[3]), 0.0, 3.0);
+    Arguments remedy = call;
+    remedy.insert(remedy.end(), {"--keep-out", "keep.txt"});
+    double larger = 0.0; // as a refusal may ask for
+    RunResult result;
+    for (int i = 0; i < 3 && result.code != 0; ++i) {
+      writePolygon("keep.txt", {Vector2d(rim - width - 1.0 - larger, -6.0 - larger), Vector2d(42.0, 6.0 + larger)});
+      result = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, remedy, folder_), folder_);
+      if (std::regex_search(result.err, found, std::regex("enters a keep-out by ([0-9.]+) mm")))
+        larger += std::stod(found[1]) + 0.01;
+    }
+    EXPECT_EQ(result.code, 0) << result.err;
+  }
 }
 
 TEST_F(BesideClamps, AllSmallPartsAreListedOrCounted)

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <iterator>
 
 using namespace pcl_spiral;
 
@@ -68,9 +69,8 @@ selected(const Cloud& cloud, const pcl::Indices& indices)
   return some;
 }
 
-/** One normal per point of the scan, zero where it is not part of the surface; \p spacing of the surface. */
-pcl::PointCloud<pcl::Normal>::ConstPtr
-surfaceNormals(const std::string& file, const PartSide& side, const Scan& scan, double& spacing)
+Surface::ConstPtr
+surfaceOf(const std::string& file, const PartSide& side, const Scan& scan)
 {
   ScannedSurface<pcl::PointXYZ> scanned;
   scanned.setInputCloud(scan.cloud);
@@ -85,11 +85,17 @@ surfaceNormals(const std::string& file, const PartSide& side, const Scan& scan, 
   scanned.compute(surface);
   if (!surface)
     throw FileError(file, inOptions(scanned.getStatus().message()));
-  spacing = surface->spacing();
+  return surface;
+}
+
+/** One normal per point of a scan of \p size points, zero where it is not part of the surface. */
+pcl::PointCloud<pcl::Normal>::ConstPtr
+normalsOf(const Surface& surface, std::size_t size)
+{
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  normals->resize(scan.cloud->size());
-  for (std::size_t i = 0; i < surface->size(); ++i)
-    (*normals)[surface->sourceIndex(i)].getNormalVector3fMap() = surface->normal(i).cast<float>();
+  normals->resize(size);
+  for (std::size_t i = 0; i < surface.size(); ++i)
+    (*normals)[surface.sourceIndex(i)].getNormalVector3fMap() = surface.normal(i).cast<float>();
   return normals;
 }
 
@@ -102,22 +108,34 @@ struct CutScan {
   ChosenPart& part; ///< with all keep-outs
 };
 
-/** Keeps what \p region selects; adds the points left out that are not in a keep-out to those beside the part. */
-void
-cut(Region& region, CutScan& from)
+/** What \p region selects of the scan. */
+pcl::Indices
+selectedBy(Region& region, const CutScan& from)
 {
-  Scan& scan = from.scan;
-  region.setInputCloud(scan.cloud);
+  region.setInputCloud(from.scan.cloud);
   pcl::Indices kept;
   region.filter(kept);
   if (!region.getStatus().ok())
     throw FileError(from.file, inOptions(region.getStatus().message()));
+  return kept;
+}
+
+/** Keeps only \p kept, ascending; adds the points left out that are not in a keep-out to those beside the part. */
+void
+keepOnly(const pcl::Indices& kept, CutScan& from)
+{
+  Scan& scan = from.scan;
   if (kept.empty())
     throw UsageError(from.file + ": no point is left after --crop" + (from.choice.region.empty() ? "" : ", --region") +
                      " and --keep-out; the scan lies " + fileBox(scan, from.read) + ": give a larger crop" +
                      (from.choice.region.empty() ? "" : " or region") + ", or smaller keep-outs");
-  for (const auto i : *region.getRemovedIndices()) {
-    const pcl::PointXYZ& p = (*scan.cloud)[static_cast<std::size_t>(i)];
+  auto next = kept.begin();
+  for (std::size_t i = 0; i < scan.cloud->size(); ++i) {
+    if (next != kept.end() && static_cast<std::size_t>(*next) == i) {
+      ++next;
+      continue;
+    }
+    const pcl::PointXYZ& p = (*scan.cloud)[i];
     const auto contains = [&](const Prism& prism) { return prism.contains(p.getVector3fMap().cast<double>()); };
     const std::vector<Prism>& keep_outs = from.part.keep_outs;
     const bool kept_out = std::any_of(keep_outs.begin(), keep_outs.end(), contains);
@@ -127,6 +145,31 @@ cut(Region& region, CutScan& from)
   scan.cloud = selected(*scan.cloud, kept);
   if (scan.normals)
     scan.normals = selected(*scan.normals, kept);
+}
+
+/** Keeps the points at which \p tool stays out of the keep-outs, without the \p strips; adds the others to \p figures. */
+void
+keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const StripChoice& strips, CutScan& from, RegionFigures& figures)
+{
+  const Surface::ConstPtr surface = surfaceOf(from.file, side, from.scan);
+  region.setInputNormals(normalsOf(*surface, from.scan.cloud->size()));
+  region.setToolRadius(tool.radius);
+  region.setShank(shank_radii * tool.radius, tool.lean);
+  region.setObstacles(from.part.kept_out);
+  region.setMargin(surface->spacing()); // the outline may lie up to a spacing beyond the last points
+  pcl::Indices kept = selectedBy(region, from);
+  figures.too_close = region.getFigures().too_close;
+  const std::vector<UncutStrip> narrow =
+      strips.width > 0.0 ? stripsBeside(*surface, *from.scan.cloud, kept, strips.width) : std::vector<UncutStrip>();
+  for (std::size_t i = 0; i < narrow.size(); ++i) {
+    if (std::find(strips.cut.begin(), strips.cut.end(), i) != strips.cut.end())
+      continue;
+    pcl::Indices rest;
+    std::set_difference(kept.begin(), kept.end(), narrow[i].indices.begin(), narrow[i].indices.end(), std::back_inserter(rest));
+    kept = std::move(rest);
+    from.part.strips.push_back(narrow[i]);
+  }
+  keepOnly(kept, from);
 }
 
 /** Adds what was left out to the warnings of the scan, which had \p all points. */
@@ -148,42 +191,6 @@ warnOfCuts(const PartChoice& choice, const RegionFigures& figures, std::size_t a
 
 } // namespace
 
-std::vector<Option>
-placeOptions(PartChoice& choice)
-{
-  return {placeOption("part-at",
-                      "a place on the part, in the coordinates of the file: of several separate parts use the nearest one: "
-                      "--part-at 120,80,15",
-                      choice.part_at),
-          textOption("crop", "BOX|FILE",
-                     "only points inside are part of the scan: xmin,xmax,ymin,ymax or also ,zmin,zmax, or the file of a polygon, in the "
-                     "coordinates of the file of the scan: --crop 0,200,0,150",
-                     choice.crop),
-          {"keep-out", "FILE",
-           "the cutter does not enter the space over and under this polygon; may be given several times; one corner per line: x y, "
-           "extended along z, or x y z, extended along its mean normal: --keep-out clamp.txt",
-           [&choice](const std::string& value) { choice.keep_outs.push_back(value); }, true}};
-}
-
-Option
-clustersOption(PartChoice& choice)
-{
-  return choiceOption("clusters",
-                      "two or more points near each other that stand off the surface, as a screw or spatter, are refused, ridden over "
-                      "without cutting into them, or left out as false echoes, and the path goes through them; default refuse: "
-                      "--clusters ride",
-                      choice.clusters);
-}
-
-std::vector<InputName>
-polygonFiles(const PartChoice& choice)
-{
-  std::vector<InputName> files{{"the crop", choice.crop}};
-  for (const std::string& file : choice.keep_outs)
-    files.push_back({"a keep-out", file});
-  return files;
-}
-
 Eigen::Vector3d
 placeInScan(const Eigen::Vector3d& place, const ReadOptions& read)
 {
@@ -199,7 +206,7 @@ placeInFile(const Eigen::Vector3d& place, const ReadOptions& asked)
 
 ChosenPart
 choosePart(const PartChoice& choice, const std::string& file, const ReadOptions& asked, const PartTool& tool, const PartSide& side,
-           Scan& scan)
+           Scan& scan, const StripChoice& strips)
 {
   const ReadOptions read = readAsScan(asked);
   ChosenPart part;
@@ -208,7 +215,7 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
   if (!choice.cuts())
     return part;
   const std::size_t all = scan.cloud->size();
-  Region inside(true), region(true);
+  Region inside, region;
   if (!choice.region.empty())
     inside.setCrop(readPolygon(choice.region, read));
   if (isBox(choice.crop))
@@ -220,22 +227,14 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
     region.addKeepOut(part.keep_outs.back());
   }
   CutScan from{choice, file, read, scan, part};
-  cut(region, from); // first what stands there, which would disturb the normals beside it
+  keepOnly(selectedBy(region, from), from); // first what stands there, which would disturb the normals beside it
   RegionFigures figures = region.getFigures();
   if (!choice.region.empty()) {
-    cut(inside, from);
+    keepOnly(selectedBy(inside, from), from);
     figures.cropped += inside.getFigures().cropped;
   }
-  if (!part.keep_outs.empty() && tool.radius > 0.0) {
-    double spacing = 0.0;
-    region.setInputNormals(surfaceNormals(file, side, scan, spacing));
-    region.setToolRadius(tool.radius);
-    region.setShank(shank_radii * tool.radius, tool.lean);
-    region.setObstacles(part.kept_out);
-    region.setMargin(spacing); // the outline may lie up to a spacing beyond the last points
-    cut(region, from);
-    figures.too_close = region.getFigures().too_close;
-  }
+  if (!part.keep_outs.empty() && tool.radius > 0.0)
+    keepToolOut(region, tool, side, strips, from, figures);
   warnOfCuts(choice, figures, all, tool.radius, scan);
   return part;
 }
@@ -246,15 +245,15 @@ withFilePlaces(const std::string& message, const ReadOptions& asked)
   const ReadOptions read = readAsScan(asked);
   if (read.unit == LengthUnit::Millimetre && read.origin.isZero())
     return message;
-  const std::string before = "mm2 at (";
   std::string text = message;
-  for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
-    at += before.size();
-    Eigen::Vector3d p;
-    if (std::sscanf(text.c_str() + at, "%lf, %lf, %lf", &p.x(), &p.y(), &p.z()) != 3)
-      continue;
-    p = p / millimetres(read.unit) + read.origin;
-    text.insert(text.find(')', at) + 1, formatted(" (in the file %.10g,%.10g,%.10g)", p.x(), p.y(), p.z()));
-  }
+  for (const std::string before : {"mm2 at (", "from (", " to ("})
+    for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
+      at += before.size();
+      Eigen::Vector3d p;
+      if (std::sscanf(text.c_str() + at, "%lf, %lf, %lf", &p.x(), &p.y(), &p.z()) != 3)
+        continue;
+      p = p / millimetres(read.unit) + read.origin;
+      text.insert(text.find(')', at) + 1, formatted(" (in the file %.10g,%.10g,%.10g)", p.x(), p.y(), p.z()));
+    }
   return text;
 }

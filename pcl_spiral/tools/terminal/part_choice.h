@@ -7,6 +7,7 @@
 #include "file_names.h"
 #include "option_table.h"
 #include "scan_side.h"
+#include "uncut_strips.h"
 
 #include <pcl_spiral/core/prism.h>
 #include <pcl_spiral/io/cloud_reader.h>
@@ -56,6 +57,7 @@ struct ChosenPart {
   std::vector<Eigen::Vector3f> beside;      ///< points left out by their place, without those in a keep-out
   std::vector<Eigen::Vector3f> kept_out;    ///< points in a keep-out
   std::optional<Eigen::Vector3d> part_at;   ///< in the coordinates of the scan that was read
+  std::vector<UncutStrip> strips;           ///< that are left uncut
 };
 
 /** The tool that goes over a scan. */
@@ -73,10 +75,11 @@ struct PartSide {
 
 /** Removes from \p scan, which was read from \p file, the points outside the crop and those that \p tool cannot touch without entering
  *  a keep-out, its shank (see ball_way.h) without touching what was scanned there (radius 0: those in a keep-out); adds to its warnings
- *  how many.
+ *  how many. The narrow \p strips beside keep-outs are removed, too; no warning is added for them.
  *  \throw pcl_spiral::FileError, UsageError */
 ChosenPart choosePart(const PartChoice& choice, const std::string& file, const pcl_spiral::ReadOptions& read, const PartTool& tool,
-                      const PartSide& side, pcl_spiral::Scan& scan);
+                      const PartSide& side, pcl_spiral::Scan& scan, const StripChoice& strips = {});
 
-/** \p message with the places of parts ("mm2 at (1, 2, 3)") also in the coordinates of the file, if these are others. */
+/** \p message with the places of parts ("mm2 at (1, 2, 3)") and the ends of extents ("from (1, 2, 3) to (4, 5, 6)") also in the
+ *  coordinates of the file, if these are others. */
 std::string withFilePlaces(const std::string& message, const pcl_spiral::ReadOptions& read);

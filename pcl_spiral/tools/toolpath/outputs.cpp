@@ -48,12 +48,25 @@ struct Pictures {
   std::vector<std::vector<ReportPicture>> of_regions;
 };
 
+/** The points of the part, and those of strips that are not cut: the surface without a path on it. */
+pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+withStrips(const Result& result)
+{
+  if (result.part.strips.empty())
+    return result.scan.cloud;
+  const auto all = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*result.scan.cloud);
+  for (const UncutStrip& strip : result.part.strips)
+    for (const Eigen::Vector3f& p : strip.points)
+      all->emplace_back(p.x(), p.y(), p.z());
+  return all;
+}
+
 VerificationScene
 sceneOf(const Result& result, const std::string& title)
 {
   VerificationScene scene;
   scene.part = {title,
-                result.heights.points ? result.heights.points : result.scan.cloud,
+                result.heights.points ? result.heights.points : withStrips(result),
                 result.mesh ? result.mesh->mesh : nullptr,
                 result.path,
                 result.settings,

@@ -24,6 +24,12 @@ using namespace pcl_spiral;
 
 namespace {
 
+/** A refusal of the generator. */
+class NoPath : public FileError {
+public:
+  using FileError::FileError;
+};
+
 /** Sets which points of the scan are the part. */
 template <typename Stage>
 void
@@ -86,10 +92,10 @@ leanOf(const SpiralSettings& s)
 
 /** Takes the points of the part out of the scan, and makes their surface if more than the planner needs it. */
 void
-choosePoints(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
+choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageClock& clock, Result& result)
 {
   result.part = choosePart(job.part, job.scan, job.read, {job.settings.tool_radius, leanOf(job.settings)},
-                           {result.side, job.settings.flip_normals, job.settings.threads}, result.scan);
+                           {result.side, job.settings.flip_normals, job.settings.threads}, result.scan, strips);
   if (job.part.cuts())
     result.side = sideOf(result.scan, fromScan(job.settings.view_point));
   clock.end("reading");
@@ -169,14 +175,24 @@ checkWay(const Job& job, const Result& result)
   throw FileError(job.scan, withFilePlaces(text, job.read));
 }
 
-/** The path over the region that job.part chooses. \p result has what readInput gave. */
+/** \throw NoPath, and what requireOk throws */
+void
+requirePath(const Job& job, const Status& status)
+{
+  if (status.ok() || status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::Cancelled || cancelled())
+    requireOk(job, status);
+  else
+    throw NoPath(job.scan, inWords(job, status.message()));
+}
+
+/** The path over the region that job.part chooses, without its narrow \p strips beside keep-outs. \p result has what readInput gave. */
 Result
-planned(const Job& job, ProgressBar& bar, Result result)
+planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result result)
 {
   result.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   std::vector<StageCost> stages;
   StageClock clock(stages);
-  choosePoints(job, bar, clock, result);
+  choosePoints(job, strips, bar, clock, result);
   SpiralToolpathGenerator<pcl::PointXYZ> generator;
   generator.setInputCloud(result.scan.cloud);
   if (result.surface)
@@ -191,7 +207,7 @@ planned(const Job& job, ProgressBar& bar, Result result)
   generator.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   generator.compute(*result.path);
   bar.clear();
-  requireOk(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus());
+  requirePath(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus());
   result.report = generator.getReport();
   checkWay(job, result);
   checkHolder(job, result);
@@ -203,7 +219,48 @@ planned(const Job& job, ProgressBar& bar, Result result)
   if (result.surface)
     result.report.passes += result.surface->counts().passes;
   result.report.stages.insert(result.report.stages.begin(), stages.begin(), stages.end());
+  for (const UncutStrip& strip : result.part.strips)
+    result.report.warnings.push_back(withFilePlaces(stripText(strip), job.read));
   return result;
+}
+
+/** The same; absent if the generator refuses. */
+std::optional<Result>
+tried(const Job& job, const StripChoice& strips, ProgressBar& bar, const Result& input)
+{
+  try {
+    return planned(job, strips, bar, input);
+  }
+  catch (const NoPath&) {
+    return std::nullopt;
+  }
+}
+
+/** The path over the whole region; if there is none, without the narrowest strips beside keep-outs, and no more of them than must be. */
+Result
+plannedWithLeastUncut(const Job& job, ProgressBar& bar, const Result& input)
+{
+  try {
+    return planned(job, {}, bar, input);
+  }
+  catch (const NoPath&) {
+    if (job.part.keep_outs.empty())
+      throw;
+    for (StripChoice strips{2.0, {}}; strips.width <= 5.0; strips.width += 1.0) {
+      std::optional<Result> result = tried(job, strips, bar, input);
+      const std::size_t found = result ? result->part.strips.size() : 0;
+      for (std::size_t i = 0; i < found && result->part.strips.size() > 1; ++i) {
+        strips.cut.push_back(i);
+        if (std::optional<Result> with = tried(job, strips, bar, input))
+          result = std::move(with);
+        else
+          strips.cut.pop_back();
+      }
+      if (result)
+        return std::move(*result);
+    }
+    throw;
+  }
 }
 
 } // namespace
@@ -222,7 +279,7 @@ plan(const Job& job)
   for (const NamedRegion& region : named) {
     Job one = job;
     one.part = region.part;
-    regions.push_back(inRegion(region.name, [&] { return planned(one, bar, input); }));
+    regions.push_back(inRegion(region.name, [&] { return plannedWithLeastUncut(one, bar, input); }));
     regions.back().region = region.name;
   }
   Result result = regions.size() == 1 ? std::move(regions.front()) : joined(job, input, std::move(regions));

@@ -2,6 +2,7 @@
 #include <pcl_spiral/spiral/impl/step_over_mesh.h>
 
 #include "rim_zipper.h"
+#include "spiral/outlines/narrow_strip.h"
 #include "spiral/outlines/outline_cut.h"
 #include "spiral/outlines/outline_side.h"
 
@@ -214,6 +215,9 @@ MeshMaker::zip(std::size_t outline)
   const std::size_t best = edgeAlong(outline, edge);
   const std::string remedy = "; the scan is too sparse or ragged there for a path at constant scallop: scan it again, more "
                              "densely, or choose the radial method (setMethod)";
+  if (best == edges_.size())
+    if (const Status status = refuseNarrowStrip(outlines_, outline, spacing_); !status.ok())
+      return status;
   if (best == edges_.size())
     return {StatusCode::Failed,
             textOf("no edge of the mesh runs along the outline through ", placeText(outlines_[outline].curve.front()), remedy)};
