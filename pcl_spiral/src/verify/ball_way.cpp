@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ball_way.h"
 
-#include <pcl_spiral/search/impl/move_index.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <algorithm>
@@ -110,15 +109,10 @@ deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius, const st
 std::optional<BallEntry>
 deepestPoint(const CutterSweep& sweep, const std::vector<Eigen::Vector3f>& points)
 {
-  const MoveIndex index(sweep.centres());
   std::vector<double> depths(points.size(), 0.0);
 #pragma omp parallel for schedule(dynamic, 256)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i) {
-    const Eigen::Vector3d place = points[i].cast<double>();
-    index.search(
-        place, [&] { return sweep.boundingRadius(); },
-        [&](std::size_t move) { depths[i] = std::max(depths[i], sweep.depth(move, place)); });
-  }
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i)
+    depths[i] = sweep.deepest(points[i].cast<double>());
   return deepestOf(points, depths);
 }
 

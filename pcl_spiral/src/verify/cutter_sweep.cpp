@@ -99,7 +99,7 @@ heightAbove(const SurfaceFoot& foot, const Eigen::Vector3d& p, double reach)
 
 BallSweep::BallSweep(const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals, double radius,
                      const std::vector<std::size_t>& passes)
-: CutterSweep(offset(contacts, normals, radius), radius, passes)
+: CutterSweep(offset(contacts, normals, radius), radius, passes), index_(centres())
 {}
 
 bool
@@ -131,6 +131,23 @@ BallSweep::depth(std::size_t move, const Eigen::Vector3d& x) const
   if (isLift(move))
     return -std::numeric_limits<double>::infinity();
   return boundingRadius() - std::sqrt(squaredDistanceToSegment(x, centres()[move], centres()[move + 1]));
+}
+
+void
+BallSweep::enterAny(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, Stock& stock) const
+{
+  // A ball with its middle farther away than this does not touch the rest of the ray.
+  index_.search(
+      x, [&] { return boundingRadius() + std::max(stock.height, start); }, [&](std::size_t move) { take(move, x, n, start, stock); });
+}
+
+double
+BallSweep::deepest(const Eigen::Vector3d& x) const
+{
+  double most = 0.0;
+  index_.search(
+      x, [&] { return boundingRadius() - most; }, [&](std::size_t move) { most = std::max(most, depth(move, x)); });
+  return most;
 }
 
 SurfaceHeight

@@ -26,7 +26,7 @@ public:
   Measurement(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings,
               const ProgressCallback& progress, RemovalHeights& heights, RemovalFigures& figures)
   : reference_(reference), path_(path), sweep_(sweep), settings_(settings), progress_(progress), heights_(heights), figures_(figures),
-    index_(sweep.centres()), ball_(makeBall(reference, settings)), sampler_(reference, sweep, index_, settings, figures.reach, ball_.get())
+    ball_(makeBall(reference, settings)), sampler_(reference, sweep, settings, figures.reach, ball_.get())
   {}
 
   bool overReference();
@@ -56,7 +56,6 @@ private:
   const ProgressCallback& progress_;
   RemovalHeights& heights_;
   RemovalFigures& figures_;
-  MoveIndex index_;
   std::unique_ptr<const BallReach> ball_;
   RemovalSampler sampler_;
   RemovalExtremes extremes_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lowest_over.h"
+#include "sweep_tree.h"
 #include "tangent_search.h"
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 
@@ -35,6 +36,13 @@ heightOf(const CutterShape& cutter)
 
 } // namespace
 
+/** A depth, with the outward normal of the side that is nearest. */
+struct ProfileSweep::Depth {
+  double depth, z;       ///< mm; height above the tip
+  double outward, along; ///< the normal: times the way from the axis, and along the axis
+  Eigen::Vector3d normal(const Eigen::Vector3d& w, const Eigen::Vector3d& axis) const { return outward * (w - z * axis) + along * axis; }
+};
+
 /** A part of a move with a small turn of the axis. */
 struct ProfileSweep::Piece {
   Eigen::Vector3d tip, way, axis, turn; ///< at the share 0; what is added up to the share 1
@@ -44,8 +52,11 @@ struct ProfileSweep::Piece {
 ProfileSweep::ProfileSweep(const CutterShape& cutter, Polyline tips, std::vector<Eigen::Vector3d> axes,
                            const std::vector<std::size_t>& passes)
 : CutterSweep(middles(tips, axes, heightOf(cutter)), std::hypot(cutter.radius, 0.5 * heightOf(cutter)), passes),
-  profile_(CutterProfile(cutter)), height_(heightOf(cutter)), tips_(std::move(tips)), axes_(std::move(axes))
+  profile_(CutterProfile(cutter)), height_(heightOf(cutter)), tips_(std::move(tips)), axes_(std::move(axes)),
+  tree_(std::make_unique<SweepTree>(tips_, axes_, passes))
 {}
+
+ProfileSweep::~ProfileSweep() = default;
 
 /** How far the depth on a move is from a concave function, mm: a point of the cutter moves on an arc, and the way of the tip turns against
  *  the axis. */
@@ -78,21 +89,43 @@ ProfileSweep::piece(std::size_t move, std::size_t number, std::size_t count) con
   return {tip, end_tip - tip, axis, end_axis - axis, true};
 }
 
+/** Depth of a place at \p w from the tip. */
+ProfileSweep::Depth
+ProfileSweep::depthOf(const Eigen::Vector3d& w, const Eigen::Vector3d& axis) const
+{
+  const double z = w.dot(axis), l = std::sqrt(std::max(0.0, w.squaredNorm() - z * z));
+  ProfileDepth::Side side = profile_.at(l, z);
+  if (height_ - z < side.depth)
+    side = {height_ - z, 0.0, 1.0};
+  return {side.depth, z, side.across / std::max(l, 1e-12), side.along};
+}
+
 Tangent
 ProfileSweep::depthAt(const Piece& piece, double f, const Eigen::Vector3d& x, const Eigen::Vector3d& n) const
 {
   const Eigen::Vector3d w = x - piece.tip - f * piece.way;
   const Eigen::Vector3d axis = piece.turns ? Eigen::Vector3d((piece.axis + f * piece.turn).normalized()) : piece.axis;
-  const double z = w.dot(axis), l = std::sqrt(std::max(0.0, w.squaredNorm() - z * z));
-  ProfileDepth::Side side = profile_.at(l, z);
-  if (height_ - z < side.depth)
-    side = {height_ - z, 0.0, 1.0};
-  const double outward = side.across / std::max(l, 1e-12);
-  const Eigen::Vector3d normal = outward * (w - z * axis) + side.along * axis;
+  const Depth depth = depthOf(w, axis);
+  const Eigen::Vector3d normal = depth.normal(w, axis);
   double over_move = normal.dot(piece.way);
   if (piece.turns)
-    over_move += (outward * z - side.along) * (w.dot(piece.turn) - z * axis.dot(piece.turn));
-  return {side.depth, over_move, -normal.dot(n)};
+    over_move += (depth.outward * depth.z - depth.along) * (w.dot(piece.turn) - depth.z * axis.dot(piece.turn));
+  return {depth.depth, over_move, -normal.dot(n)};
+}
+
+/** Not less than the depth, at any of \p places, of \p x or of any place from there up to \p down away. The depth is concave, so it is
+ *  below its tangent plane over all ways of the tip; turning the axis moves a point of the cutter by the angle times its distance. */
+double
+ProfileSweep::bound(const SweptPlaces& places, const Eigen::Vector3d& x, const Eigen::Vector3d& down) const
+{
+  const Eigen::Vector3d w = x - places.tip;
+  const Depth depth = depthOf(w, places.axis);
+  const Eigen::Vector3d normal = depth.normal(w, places.axis);
+  const double way = (places.sides.transpose() * normal).cwiseAbs().dot(places.half) + std::max(0.0, -normal.dot(down));
+  if (places.turn == 0.0)
+    return depth.depth + way;
+  const double off = places.half.norm() + down.norm();
+  return depth.depth + way + places.turn * (w.cross(normal).norm() + off) + 0.5 * places.turn * places.turn * (w.norm() + off);
 }
 
 /** The deepest place of \p x on the piece; a bound of it if that is not above \p least. */
@@ -166,6 +199,25 @@ ProfileSweep::depth(std::size_t move, const Eigen::Vector3d& x) const
   const std::size_t count = pieces(move);
   for (std::size_t i = 0; i < count; ++i)
     most = std::max(most, deepest(piece(move, i, count), x, Eigen::Vector3d::Zero(), none).value);
+  return most;
+}
+
+void
+ProfileSweep::enterAny(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, Stock& stock) const
+{
+  const auto lower = [&](const SweptPlaces& places) {
+    const double last = stock.height - settled;
+    return bound(places, x + last * n, -(last + start) * n) > 0.0;
+  };
+  tree_->search(x, lower, [&](std::size_t move) { take(move, x, n, start, stock); });
+}
+
+double
+ProfileSweep::deepest(const Eigen::Vector3d& x) const
+{
+  double most = 0.0;
+  const auto deeper = [&](const SweptPlaces& places) { return bound(places, x, Eigen::Vector3d::Zero()) > most; };
+  tree_->search(x, deeper, [&](std::size_t move) { most = std::max(most, depth(move, x)); });
   return most;
 }
 

@@ -31,11 +31,11 @@ RemovalExtremes::merge(const RemovalExtremes& later)
   raise(rim_gouge, later.rim_gouge.value, later.rim_gouge.position, later.rim_gouge.index);
 }
 
-RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index,
-                               const RemovalSettings& settings, double reach, const BallReach* ball)
+RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const RemovalSettings& settings, double reach,
+                               const BallReach* ball)
 : reference_(reference), sweep_(sweep), settings_(settings), ball_(ball),
   step_radius_(settings.step_radius > 0.0 ? settings.step_radius : settings.tool_radius),
-  field_(sweep, index, std::max(shallow_start * settings.scallop_height, settings.chord_error), reach), fit_radius_(reference.fitRadius())
+  field_(sweep, std::max(shallow_start * settings.scallop_height, settings.chord_error), reach), fit_radius_(reference.fitRadius())
 {}
 
 double
@@ -95,7 +95,7 @@ RemovalSampler::grazesBall(const SurfaceFoot& foot, double depth) const
   constexpr int places = 8;
   constexpr double share = 0.4; // of the depth
   for (int i = 0; i <= places; ++i)
-    if (field_.depthAt(foot.position - depth * i / places * foot.normal) >= share * depth)
+    if (sweep_.deepest(foot.position - depth * i / places * foot.normal) >= share * depth)
       return false;
   return true;
 }
@@ -107,7 +107,7 @@ RemovalSampler::stockAt(const SurfaceFoot& foot, std::size_t guess) const
   const double along_ray = -stock.height;
   if (along_ray > std::max(shallow_start * settings_.scallop_height, settings_.chord_error) &&
       (leavesPart(foot, along_ray) || (!settings_.corner_radius && grazesBall(foot, along_ray))))
-    stock.height = -std::min(along_ray, field_.depthAt(foot.position));
+    stock.height = -std::min(along_ray, sweep_.deepest(foot.position));
   return stock;
 }
 

@@ -39,8 +39,8 @@ struct SampleResult {
 class RemovalSampler {
 public:
   /** \p ball: what the cutter reaches; null: everything. */
-  RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const MoveIndex& index, const RemovalSettings& settings,
-                 double reach, const BallReach* ball);
+  RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const RemovalSettings& settings, double reach,
+                 const BallReach* ball);
 
   /** Over the foot of a reference point; for one in the crease band over its place in the mesh. \p guess: the move tried first; it becomes
    *  the move found. */

@@ -10,6 +10,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double same_height = 1e-7; // mm: two moves meet there
+constexpr double met = 3e-8;         // mm: difference of heights where they do; a sweep is known to 1e-8
 
 } // namespace
 
@@ -40,17 +41,11 @@ StockField::cast(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double star
 {
   Stock stock;
   stock.height = reach_;
-  const auto test = [&](std::size_t move) {
-    if (sweep_.enter(move, x, n, start, stock.height)) {
-      stock.move = move;
-      stock.met = true;
-    }
-  };
-  if (guess < sweep_.moves())
-    test(guess);
-  // A cutter with its middle farther away than this does not touch the rest of the ray.
-  index_.search(
-      x, [&] { return sweep_.boundingRadius() + std::max(stock.height, start); }, test);
+  if (guess < sweep_.moves() && sweep_.enter(guess, x, n, start, stock.height)) {
+    stock.move = guess;
+    stock.met = true;
+  }
+  sweep_.enterAny(x, n, start, stock);
   return stock;
 }
 
@@ -67,15 +62,6 @@ StockField::at(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::size_t g
   }
 }
 
-double
-StockField::depthAt(const Eigen::Vector3d& x) const
-{
-  double most = 0.0;
-  index_.search(
-      x, [&] { return sweep_.boundingRadius() - most; }, [&](std::size_t move) { most = std::max(most, sweep_.depth(move, x)); });
-  return most;
-}
-
 Eigen::Vector3d
 StockField::across(const SurfaceFoot& foot, std::size_t move) const
 {
@@ -87,9 +73,10 @@ StockField::across(const SurfaceFoot& foot, std::size_t move) const
 double
 StockField::under(std::size_t move, const SurfacePlace& place) const
 {
-  const double radius = sweep_.boundingRadius();
-  double height = 2.0 * radius;
-  sweep_.enter(move, place.position, place.normal, 2.0 * radius, height);
+  const double deepest = 2.0 * sweep_.boundingRadius(), highest = std::min(2.0 * reach_, deepest);
+  double height = highest;
+  if (sweep_.enter(move, place.position, place.normal, shallow_, height) && height == -shallow_)
+    sweep_.enter(move, place.position, place.normal, deepest, height);
   return height;
 }
 
@@ -99,24 +86,25 @@ StockField::meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size
   constexpr int rounds = 40;
   const auto excess = [&](double d) {
     const SurfacePlace place = placeAt(foot, d * w);
-    return under(first, place) - under(second, place);
+    return under(first, place) - under(second, place) - 0.5 * same_height; // flats of one height meet where the first one ends
   };
-  double below = excess(low), above = excess(high), d = high;
+  double below = excess(low), above = excess(high), d = high, before = 0.0;
   for (int i = 0; i < rounds && high - low > 1e-12; ++i) { // regula falsi, Illinois
     d = above > below ? low - below * (high - low) / (above - below) : 0.5 * (low + high);
     const double value = excess(d);
-    if (std::abs(value) < 0.01 * same_height)
+    if (std::abs(value) < met)
       break;
     if (value < 0.0) {
       low = d;
       below = value;
-      above *= 0.5;
+      above *= before < 0.0 ? 0.5 : 1.0; // an end that stays twice is taken for nearer
     }
     else {
       high = d;
       above = value;
-      below *= 0.5;
+      below *= before > 0.0 ? 0.5 : 1.0;
     }
+    before = value;
   }
   return d;
 }
@@ -160,7 +148,7 @@ StockField::climbed(const SurfaceFoot& foot, const Stock& from, const Eigen::Vec
     }
     // A top, or the same slope continues under the next move of the pass.
     const double beyond = 0.01 * step;
-    if (under(other.move, placeAt(foot, (d + beyond) * w)) <= ridge.height) {
+    if (under(other.move, placeAt(foot, (d + beyond) * w)) < ridge.height - same_height) {
       ridge.position = place.position;
       ridge.move = current;
       ridge.found = true;

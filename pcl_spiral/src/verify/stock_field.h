@@ -4,19 +4,11 @@
  */
 #pragma once
 
-#include <pcl_spiral/search/impl/move_index.h>
 #include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include <cstddef>
 
 namespace pcl_spiral {
-
-/** The stock over a place. */
-struct Stock {
-  double height = 0.0;  ///< negative: gouge; the reach if nothing is met
-  std::size_t move = 0; ///< that cuts there
-  bool met = false;
-};
 
 /** The top of a ridge. */
 struct Ridge {
@@ -41,15 +33,11 @@ class StockField {
 public:
   /** Rays reach \p reach above the surface. They start \p shallow below it, or deep inside the cutter if
    *  that is not deep enough. */
-  StockField(const CutterSweep& sweep, const MoveIndex& index, double shallow, double reach)
-  : sweep_(sweep), index_(index), shallow_(shallow), reach_(reach)
-  {}
+  StockField(const CutterSweep& sweep, double shallow, double reach) : sweep_(sweep), shallow_(shallow), reach_(reach) {}
 
-  /** Stock over a place: the smallest t at which x + t n lies in the swept solid. \p guess: the move tried first. */
+  /** Stock over a place: the smallest t at which x + t n lies in the swept solid; the reach if there is none. \p guess: the move tried
+   *  first. */
   Stock at(const Eigen::Vector3d& x, const Eigen::Vector3d& n, std::size_t guess) const;
-
-  /** The shortest way out of the cutter from \p x, the longest of all moves; 0 if it is in none. */
-  double depthAt(const Eigen::Vector3d& x) const;
 
   /** Unit direction across the feed of \p move at \p foot; zero where the move is along the surface normal. */
   Eigen::Vector3d across(const SurfaceFoot& foot, std::size_t move) const;
@@ -63,13 +51,12 @@ public:
 
 private:
   Stock cast(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, std::size_t guess) const;
-  /** Height of the stock that \p move leaves by itself. */
+  /** Height of the stock that \p move leaves by itself, up to twice the reach. */
   double under(std::size_t move, const SurfacePlace& place) const;
   /** The place in [low, high] at which the stock of two moves has the same height. */
   double meeting(const SurfaceFoot& foot, const Eigen::Vector3d& w, std::size_t first, std::size_t second, double low, double high) const;
 
   const CutterSweep& sweep_;
-  const MoveIndex& index_;
   double shallow_, reach_;
 };
 

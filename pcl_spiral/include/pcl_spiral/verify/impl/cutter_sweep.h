@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/search/impl/move_index.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <cstddef>
@@ -20,6 +21,13 @@ struct SurfaceHeight {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
 
+/** The stock over a place: where a ray from it first meets what a cutter sweeps. */
+struct Stock {
+  double height = 0.0;  ///< mm; negative: gouge
+  std::size_t move = 0; ///< that cuts there
+  bool met = false;
+};
+
 /** A cutter of revolution at every point of a path, moved in straight
  *  lines from one point to the next, except at lifts.
  *
@@ -28,6 +36,8 @@ struct SurfaceHeight {
 class CutterSweep {
 public:
   virtual ~CutterSweep() = default;
+  CutterSweep(const CutterSweep&) = delete; // the search refers to the path
+  CutterSweep& operator=(const CutterSweep&) = delete;
 
   /** The centre of a ball that contains the cutter, at every point of the path; move i goes from i to i + 1. */
   const Polyline& centres() const { return centres_; }
@@ -44,6 +54,10 @@ public:
   virtual bool contains(std::size_t move, const Eigen::Vector3d& x) const = 0;
   /** The shortest way out of the cutter from \p x, where it is deepest in it on \p move; negative outside, -infinity on a lift. */
   virtual double depth(std::size_t move, const Eigen::Vector3d& x) const = 0;
+  /** The same as enter for all moves: lowers the height of \p stock, and sets the move. */
+  virtual void enterAny(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, Stock& stock) const = 0;
+  /** The largest depth of \p x over all moves; 0 if it is in none. */
+  virtual double deepest(const Eigen::Vector3d& x) const = 0;
   /** Height of the cutter above the surface about \p foot, a quadric no wider than \p reach,
    *  at the share \p f of \p move. Negative: how deep it cuts below the surface. */
   virtual SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const = 0;
@@ -52,6 +66,15 @@ protected:
   CutterSweep(Polyline centres, double bounding_radius, std::vector<std::size_t> passes)
   : centres_(std::move(centres)), bounding_radius_(bounding_radius), passes_(std::move(passes))
   {}
+  const std::vector<std::size_t>& passes() const { return passes_; }
+  /** Enters one move. */
+  void take(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, Stock& stock) const
+  {
+    if (!enter(move, x, n, start, stock.height))
+      return;
+    stock.move = move;
+    stock.met = true;
+  }
 
 private:
   Polyline centres_;
@@ -70,7 +93,12 @@ public:
   bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const override;
   bool contains(std::size_t move, const Eigen::Vector3d& x) const override;
   double depth(std::size_t move, const Eigen::Vector3d& x) const override;
+  void enterAny(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, Stock& stock) const override;
+  double deepest(const Eigen::Vector3d& x) const override;
   SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const override;
+
+private:
+  MoveIndex index_;
 };
 
 /** Height of \p p above the quadric about \p foot: signed distance, positive out of the material. If the nearest place is farther

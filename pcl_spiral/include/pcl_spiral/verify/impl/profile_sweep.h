@@ -17,6 +17,8 @@
 
 namespace pcl_spiral {
 
+class SweepTree;
+struct SweptPlaces;
 struct Tangent;
 
 /** A cutter of any profile, with its flank and a shank as wide as the flank's top, up to twice its radius above the tip or to the top
@@ -29,14 +31,20 @@ class ProfileSweep : public CutterSweep {
 public:
   /** One tip and one unit axis per point. \p passes: points to which the cutter is lifted. */
   ProfileSweep(const CutterShape& cutter, Polyline tips, std::vector<Eigen::Vector3d> axes, const std::vector<std::size_t>& passes = {});
+  ~ProfileSweep() override;
 
   bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const override;
   bool contains(std::size_t move, const Eigen::Vector3d& x) const override { return depth(move, x) >= 0.0; }
   double depth(std::size_t move, const Eigen::Vector3d& x) const override;
+  void enterAny(const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, Stock& stock) const override;
+  double deepest(const Eigen::Vector3d& x) const override;
   SurfaceHeight lowest(std::size_t move, double f, const SurfaceFoot& foot, double reach) const override;
 
 private:
   struct Piece;
+  struct Depth;
+  Depth depthOf(const Eigen::Vector3d& w, const Eigen::Vector3d& axis) const;
+  double bound(const SweptPlaces& places, const Eigen::Vector3d& x, const Eigen::Vector3d& down) const;
   double bow(std::size_t move) const;
   std::size_t pieces(std::size_t move) const;
   Piece piece(std::size_t move, std::size_t number, std::size_t count) const;
@@ -50,6 +58,7 @@ private:
   double height_;
   Polyline tips_;
   std::vector<Eigen::Vector3d> axes_;
+  std::unique_ptr<const SweepTree> tree_;
 };
 
 /** The sweep of \p cutter along \p path. A ball without a flank needs no axes. \p tips, one per point: empty for the tips that touch at
