@@ -189,6 +189,30 @@ TEST_F(BesideClamps, ARefusalNamesTheExtentOfEveryClampInTheWayAndPolygonsByItHe
   expectCapCut(clamps, 16.0);
 }
 
+TEST_F(BesideClamps, LessTiltIsARemedyOnlyWhereItHelps)
+{
+  const AlignedBox2d on_part(Vector2d(20.0, -4.0), Vector2d(28.0, 4.0)), beside(Vector2d(57.0, -9.0), Vector2d(72.0, 7.0));
+  constexpr double top = 14.0;
+  write({on_part}, 12.0);
+  const RunResult in_the_way = run({});
+  EXPECT_EQ(in_the_way.code, 1);
+  EXPECT_NE(in_the_way.err.find("stands in the way"), std::string::npos) << in_the_way.err;
+  EXPECT_EQ(in_the_way.err.find("--tilt"), std::string::npos) << "an upright tool hits it, too: " << in_the_way.err;
+  write({beside}, top);
+  const RunResult leaning = run({});
+  EXPECT_EQ(leaning.code, 1);
+  EXPECT_NE(leaning.err.find("tilt the tool less (--tilt)"), std::string::npos) << leaning.err;
+  const RunResult straight = run({"--tilt", "0"});
+  ASSERT_EQ(straight.code, 0) << straight.err;
+  for (const auto& p : pcl_spiral::readToolpath(folder_.path("a.csv")).path) {
+    const Vector3d centre = p.getVector3fMap().cast<double>() + radius * p.getNormalVector3fMap().cast<double>();
+    for (double s = 0.0; s <= 10.0 * radius; s += 0.5) {
+      const Vector3d place = centre + s * p.getAxisVector3fMap().cast<double>();
+      ASSERT_GT(std::hypot(distance(beside, place.head<2>()), std::max(place.z() - top, 0.0)), radius) << centre.transpose();
+    }
+  }
+}
+
 TEST_F(BesideClamps, AStripIsLeftUncutOnlyWhereNoPathIsFoundWithItAndIsNamed)
 {
   constexpr double top = 12.0;
@@ -199,12 +223,10 @@ TEST_F(BesideClamps, AStripIsLeftUncutOnlyWhereNoPathIsFoundWithItAndIsNamed)
     return run({"--keep-out", "keep.txt", "-o", "a.json"});
   };
   AlignedBox2d clamp;
-  for (const double x : {27.0, 28.0}) { // a path is found: all is cut
-    const RunResult wide = cut(x, clamp);
-    ASSERT_EQ(wide.code, 0) << wide.err;
-    EXPECT_EQ(wide.err.find("a strip between"), std::string::npos) << wide.err;
-    EXPECT_EQ(uncutPlaces(clamp, top, 3.0).size(), 0U) << x;
-  }
+  const RunResult wide = cut(28.0, clamp); // a path is found: all is cut
+  ASSERT_EQ(wide.code, 0) << wide.err;
+  EXPECT_EQ(wide.err.find("a strip between"), std::string::npos) << wide.err;
+  EXPECT_EQ(uncutPlaces(clamp, top, 3.0).size(), 0U);
   std::size_t named = 0;
   for (const double x : {29.5, 30.0, 31.0}) {
     const RunResult narrow = cut(x, clamp);

@@ -7,13 +7,12 @@
 #include "path_judging.h"
 #include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
+#include "way_check.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
-#include "verify/ball_way.h"
-#include "verify/things_in_the_way.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 
@@ -96,6 +95,8 @@ choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageC
 {
   result.part = choosePart(job.part, job.scan, job.read, {job.settings.tool_radius, leanOf(job.settings)},
                            {result.side, job.settings.flip_normals, job.settings.threads}, result.scan, strips);
+  if (strips.width > 0.0 && result.part.strips.empty())
+    throw NoPath(job.scan, "no strip beside a keep-out is that narrow"); // soon: the points are those that were refused
   if (job.part.cuts())
     result.side = sideOf(result.scan, fromScan(job.settings.view_point));
   clock.end("reading");
@@ -142,37 +143,6 @@ settingsFor(const Job& job, const Result& result)
     settings.flip_normals = false; // the mesh is turned already
   }
   return settings;
-}
-
-/** \throw pcl_spiral::FileError if the ball enters a keep-out, or cuts into the scan beside it or beside the crop */
-void
-checkWay(const Job& job, const Result& result)
-{
-  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
-  const double radius = job.settings.tool_radius, allowed = job.settings.chord_error + deviations * result.report.noise;
-  if (const auto entry = deepestEntry(*result.path, ballCentres(*result.path, radius), radius, result.part.keep_outs))
-    throw FileError(job.scan, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
-                                     ": enlarge the polygon there by that much (--keep-out)"));
-  if (const auto cut = deepestPoint(*result.path, radius, result.part.kept_out); cut && cut->depth > allowed)
-    throw FileError(job.scan, textOf("the shank, taken as ", shank_radii, " radii long, would cut ", cut->depth,
-                                     " mm into what stands in a keep-out, at ", placeText(cut->place),
-                                     ": enlarge the polygon there by that much (--keep-out), or tilt the tool less (--tilt)"));
-  std::vector<Eigen::Vector3f> beside = result.part.beside;
-  for (std::size_t i = 0; result.surface && !result.mesh && i < result.surface->leftOut().why.size(); ++i)
-    if (result.surface->leftOut().why[i] == LeftOut::OtherPart)
-      beside.push_back(result.surface->leftOut().positions[i]);
-  if (result.surface)
-    for (const Eigen::Vector3f& point : result.surface->riddenPoints())
-      beside.push_back(point);
-  constexpr double link = 3.0; // spacings
-  const std::vector<ThingInTheWay> things = thingsInTheWay(*result.path, radius, beside, allowed, link * result.report.spacing);
-  if (things.empty())
-    return;
-  const std::string text = textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth,
-                                  " mm into the scan at ", placeText(things.front().place), ", beside the part that was chosen. ",
-                                  thingsText(things), ": keep out of each with a polygon that covers it (--keep-out)",
-                                  job.settings.tilt_angle > 0.0 ? ", or, if the shank hits it, tilt the tool less (--tilt)" : "");
-  throw FileError(job.scan, withFilePlaces(text, job.read));
 }
 
 /** \throw NoPath, and what requireOk throws */
