@@ -115,6 +115,9 @@ judgeAndShow(const VerifyJob& job, const JudgedPart& part, const std::string& fi
       std::cout << sideLine(part.side, judged.verification.side) << '\n';
     printFigures(inScan(judged.verification));
   }
+  else
+    for (const std::string& broken : judged.verification.broken)
+      std::cerr << "pcl_spiral_verify: " << inScan(nameOf(judged.verification) + ": " + broken) << '\n';
   warn(job, warningsOf(judged.verification));
   outputs.take(part, *reference, judged);
   return judged.verification.broken.empty();

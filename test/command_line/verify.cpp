@@ -198,6 +198,12 @@ TEST_F(Verify, FindsAGougeAndWhereItIs)
   EXPECT_NEAR(path["material"]["gouge"]["index"].get<double>(), place, 1.0);
   EXPECT_NEAR(path["deviation"]["max"]["value"], -deep, 0.001);
   EXPECT_EQ(path["deviation"]["max"]["index"], place);
+  const RunResult quiet = verify({"spoilt.csv", "--max-gouge", "0.01", "--max-deviation", "0.02", "--quiet"});
+  EXPECT_EQ(quiet.code, 1);
+  EXPECT_EQ(quiet.out, "");
+  EXPECT_NE(quiet.err.find("pcl_spiral_verify: spoilt.csv: --max-gouge 0.01 is broken: 0.0"), std::string::npos) << quiet.err;
+  EXPECT_NE(quiet.err.find("pcl_spiral_verify: spoilt.csv: --max-deviation 0.02 is broken: 0.0"), std::string::npos) << quiet.err;
+  EXPECT_EQ(quiet.err.find("warning"), std::string::npos) << quiet.err;
 }
 
 TEST_F(Verify, FindsTipsAndAxesThatTheContactsDoNotHave)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/material_removal_engine.h>
 
+#include "path_order.h"
 #include "quantile.h"
 #include "reference_figures.h"
 #include "removal_samples.h"
@@ -269,7 +270,7 @@ check(const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& s
     return {StatusCode::InvalidArgument, "the path has " + std::to_string(path.size()) + " points and the cutter " +
                                              std::to_string(sweep.centres().size()) +
                                              " places: give at least two points, with one place each"};
-  return Status::success();
+  return checkOrder(path);
 }
 
 } // namespace
