@@ -205,6 +205,9 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(said({"-o", "a.mpf", "--machine", machine, "--dialect", "fanuc", "--tool", "3"}, 2), "a .mpf for Siemens");
   expectHas(said({"-o", "a.h"}, 2), "-o a.h: no --machine is given");
   expectHas(said({"-o", "a.h", "--machine", machine}, 2), "-o a.h: no --tool is given");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--coolant", "through"}, 1), "a.ngc: coolant through the spindle has another word");
+  expectHas(said({"-o", "a.ngc", "--coolant", "through"}, 1), "give it in the machine file, such as program: {coolant: {through: M88}}");
+  expectHas(said({"-o", "a.ngc", "--feed-mode", "per-minute"}, 1), "a.ngc: a feed in mm/min of the tip needs fanuc");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--block-tolerance", "1e-9,1e-9"}, 2), "must be 0.0001 mm");
   expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2), "--dialect okuma: must be one of");
   expectHas(said({"-o", "a.ngc", "--machine", "none.yaml"}, 1), "none.yaml: there is no such machine file");

@@ -91,7 +91,7 @@ TEST(ProgramDialects, EveryLanguageSaysThePath)
     writeProgram(file, program, Dialect::LinuxCNC, header);
     ParsedProgram parsed = parseFanuc(file);
     expectPath(machine, parsed, program, poses);
-    for (const char* line : {"G21 G90 G17 G40 G49 G80 G94", "G64 P0.010000", "T3 M6", "G43", "S12000 M3", "G93", "G94", "M2"})
+    for (const char* line : {"G21 G90 G17 G40 G80 G94", "G64 P0.010000", "T3 M6", "G43", "S12000 M3", "G93", "G94", "M2"})
       EXPECT_TRUE(parsed.has(line)) << line;
     MachineProgram exact = program;
     exact.machine.path_tolerance = 0.0;

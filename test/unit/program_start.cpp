@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <regex>
 #include <sstream>
 
@@ -113,6 +115,7 @@ TEST(ProgramStart, RetractToolSpindleCoolantOffsetAnglesPlaceAndOnlyThenTheTip)
                "\\(cutter radius 6 mm\\)",
                "G21 G90 .*",
                "M429",
+               "G49",
                "\\(shop of part.pcd\\)",
                "M98 P3",
                "G53 G0 Z400.0000",
@@ -135,6 +138,7 @@ TEST(ProgramStart, RetractToolSpindleCoolantOffsetAnglesPlaceAndOnlyThenTheTip)
                "G0 .*",
                "G94",
                "M429",
+               "G49",
                "G53 G0 Z400.0000",
                "M5",
                "M9",
@@ -426,4 +430,33 @@ TEST(ProgramStart, AThreeAxisMachineRefusesALeaningTool)
       generator.getStatus().message().find("a machine with three axes cannot tilt the tool; make the path with the tool axis along +Z"),
       std::string::npos)
       << generator.getStatus().message();
+}
+
+TEST(ProgramStart, LinuxCNCsToolLengthGoesOffOnlyInTheIdentity)
+{
+  Machine machine = shopMachine();
+  EXPECT_NE(textOf(programFor(machine), Dialect::LinuxCNC, fullHeader()).find("\nM429\nG49\n"), std::string::npos);
+  machine.words.tip_control_on.clear();
+  machine.words.tip_control_off.clear(); // the kinematics of the tip never end, and use the length
+  EXPECT_EQ(textOf(programFor(machine), Dialect::LinuxCNC, fullHeader()).find("G49"), std::string::npos);
+  machine.rtcp = false;
+  EXPECT_NE(textOf(programFor(machine), Dialect::LinuxCNC, fullHeader()).find("\nG94\nG49\n"), std::string::npos);
+}
+
+TEST(ProgramStart, FanucGetsNoInverseTimeAboveItsRange)
+{
+  MachineProgram program = programFor(shopMachine());
+  std::find_if(program.blocks.begin(), program.blocks.end(), [](const ProgramBlock& block) {
+    return block.section == BlockSection::Cut;
+  })->minutes = 1e-5;
+  const auto highest = [&program](Dialect dialect) {
+    const std::string text = textOf(program, dialect, fullHeader());
+    double most = 0.0;
+    for (std::size_t at = text.find(" F"); at != std::string::npos; at = text.find(" F", at + 1))
+      most = std::max(most, std::atof(text.c_str() + at + 2));
+    return most;
+  };
+  EXPECT_EQ(highest(Dialect::Fanuc), 9999.999);
+  EXPECT_EQ(highest(Dialect::FanucVectors), 9999.999);
+  EXPECT_EQ(highest(Dialect::LinuxCNC), 100000.0);
 }

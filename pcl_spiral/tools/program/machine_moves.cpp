@@ -4,7 +4,7 @@
 #include "terminal/file_names.h"
 #include "terminal/terminal.h"
 
-#include "io/setting_names.h"
+#include "io/post/post_check.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
@@ -54,13 +54,12 @@ machineOf(const ProgramJob& program, const std::vector<std::string>& outputs)
 {
   if (!hasProgram(program, outputs))
     return std::nullopt;
-  if (program.machine_file.empty())
-    return xyzacTrunnion();
-  const Machine machine = readMachine(program.machine_file);
+  const std::string& file = program.machine_file;
+  const Machine machine = file.empty() ? xyzacTrunnion() : readMachine(file);
   for (const std::string& output : outputs)
-    if (isProgram(output) && !machine.rtcp && !machine.three_axes && entryOf(languageOf(program, output)).needs_rtcp)
-      throw FileError(program.machine_file, "rtcp: false, but " + output + " is for " + choiceName(languageOf(program, output)) +
-                                                ", which needs tips and tool axes; use linuxcnc or fanuc, or rtcp: true");
+    if (isProgram(output))
+      if (const std::string fault = faultOfSettings(languageOf(program, output), machine, program.header); !fault.empty())
+        throw FileError(output, fault + (file.empty() ? "" : " (machine file " + file + ")"));
   return machine;
 }
 
@@ -133,7 +132,8 @@ printProgram(const MachineProgram& program)
   if (program.machine.three_axes)
     return;
   const auto& [first, second] = program.machine.rotary;
-  std::printf("rotary axes     %c %.1f to %.1f degrees, %.1f turns in total; %c %.2f to %.2f degrees\n", first.letter,
-              report.lowest_first * in_degrees, report.highest_first * in_degrees, report.first_travel * in_degrees / 360.0, second.letter,
-              report.lowest_second * in_degrees, report.highest_second * in_degrees);
+  std::printf("rotary axes     %c %.1f to %.1f degrees, %.1f turns in total, ends at %.1f; %c %.2f to %.2f degrees\n", first.letter,
+              report.lowest_first * in_degrees, report.highest_first * in_degrees, report.first_travel * in_degrees / 360.0,
+              program.blocks.back().angles.first * in_degrees, second.letter, report.lowest_second * in_degrees,
+              report.highest_second * in_degrees);
 }

@@ -225,7 +225,7 @@ Post::writeFeed(const ProgramBlock& before, const ProgramBlock& block)
   if (per_minute_)
     out_.word("F", minuteFeed(before, block), 3);
   else
-    out_.word("F", 1.0 / block.minutes);
+    out_.word("F", std::min(highestInverseFeed(), 1.0 / block.minutes));
 }
 
 void

@@ -8,6 +8,7 @@
 
 #include <pcl_spiral/io/program_writer.h>
 
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -45,6 +46,8 @@ protected:
   virtual void writeTipControlOff() = 0;
   virtual void writeBlock(const ProgramBlock& before, const ProgramBlock& block) = 0;
   virtual void writeClosing() = 0;
+  /** Largest F in 1/min that the control reads with G93; shorter blocks run slower. */
+  virtual double highestInverseFeed() const { return std::numeric_limits<double>::infinity(); }
 
   /** Comments of the title, the machine and the header's notes. */
   void writeComments();

@@ -33,16 +33,13 @@ faultOfText(const std::string& line, std::string_view remedy)
 
 /** Why the machine's axes do not suit the language. */
 std::string
-faultOfKinematics(Dialect dialect, const MachineProgram& program)
+faultOfKinematics(Dialect dialect, const Machine& machine)
 {
-  const Machine& machine = program.machine;
   const std::string language = entryOf(dialect).word;
   if (machine.three_axes)
     return dialect == Dialect::FanucVectors ? language + " writes tool axes, and the machine has three axes; use fanuc" : "";
   if (!machine.rtcp && entryOf(dialect).needs_rtcp)
     return language + " needs tips and tool axes, but the machine file has rtcp: false; use linuxcnc or fanuc, or rtcp: true";
-  if (dialect == Dialect::FanucVectors && !program.report.unwound_at.empty()) // a vector is the same after a whole turn
-    return textOf(machine.rotary[0].letter, " turns back at its limit, and ", language, " has no words for it; use fanuc");
   return {};
 }
 
@@ -115,14 +112,23 @@ faultOfOffset(Dialect dialect, const std::string& offset)
   return {};
 }
 
+std::string
+faultOfSettings(Dialect dialect, const Machine& machine, const ProgramHeader& header)
+{
+  const std::string fault = faultOfHeader(dialect, machine, header);
+  return fault.empty() ? faultOfKinematics(dialect, machine) : fault;
+}
+
 void
 requireProgram(const std::string& file, Dialect dialect, const MachineProgram& program, const ProgramHeader& header)
 {
   if (program.blocks.empty())
     throw FileError(file, "not written: the program has no blocks");
-  for (const std::string& fault : {faultOfHeader(dialect, program.machine, header), faultOfKinematics(dialect, program)})
-    if (!fault.empty())
-      throw FileError(file, "not written: " + fault);
+  if (const std::string fault = faultOfSettings(dialect, program.machine, header); !fault.empty())
+    throw FileError(file, "not written: " + fault);
+  if (dialect == Dialect::FanucVectors && !program.report.unwound_at.empty()) // a vector is the same after a whole turn
+    throw FileError(file, textOf("not written: ", program.machine.rotary[0].letter, " turns back at its limit, and ", entryOf(dialect).word,
+                                 " has no words for it; use fanuc"));
 }
 
 } // namespace pcl_spiral

@@ -10,6 +10,9 @@
 
 namespace pcl_spiral {
 
+/** Why \p dialect cannot say a program of \p machine with the settings of \p header, whatever its blocks; empty if it can. */
+std::string faultOfSettings(Dialect dialect, const Machine& machine, const ProgramHeader& header);
+
 /** \throw FileError for what the writer of \p dialect refuses, see writeProgram */
 void requireProgram(const std::string& file, Dialect dialect, const MachineProgram& program, const ProgramHeader& header);
 

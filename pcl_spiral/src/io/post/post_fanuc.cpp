@@ -61,6 +61,8 @@ private:
     out_.endLine();
   }
 
+  double highestInverseFeed() const override { return 9999.999; }
+
   void writeClosing() override
   {
     out_.line("M30");

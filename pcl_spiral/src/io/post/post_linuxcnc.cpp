@@ -13,8 +13,8 @@ private:
   {
     writeComment(header_.title);
     writeComments();
-    out_.line("G21 G90 G17 G40 G49 G80 G94");
-    switchKinematics(program_.machine.words.tip_control_off); // G53 is the machine's Z there
+    out_.line("G21 G90 G17 G40 G80 G94");
+    leaveTipControl();
   }
 
   void writeRetract(double z) override
@@ -50,7 +50,7 @@ private:
   {
     if (!isPerMinute())
       out_.line("G94");
-    switchKinematics(program_.machine.words.tip_control_off);
+    leaveTipControl();
   }
 
   void writeBlock(const ProgramBlock& before, const ProgramBlock& block) override
@@ -65,6 +65,15 @@ private:
   }
 
   void writeClosing() override { out_.line("M2"); }
+
+  /** G53 is the machine's Z in the identity kinematics. The kinematics of the tip use the tool length: without it their joints would
+   *  jump, so G49 stands behind the word that leaves them. */
+  void leaveTipControl()
+  {
+    switchKinematics(program_.machine.words.tip_control_off);
+    if (!takesTips() || !program_.machine.words.tip_control_off.empty())
+      out_.line("G49");
+  }
 
   void switchKinematics(const std::string& word)
   {
