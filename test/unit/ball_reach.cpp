@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <omp.h>
+#include <random>
 
 namespace {
 
@@ -111,6 +112,39 @@ TEST(BallReach, RestsOnTheRimOfAPit)
     EXPECT_LT(off, 0.03);
     EXPECT_LT(sideways, 0.03);
     EXPECT_LT(deepest(part, reach), reach.tolerance() + 0.01);
+  }
+}
+
+TEST(BallReach, FindsGroovesNarrowerThanAFewSpacings)
+{
+  // The ball meets the sides of such grooves nearer than 2.5 spacings to its foot, and nothing farther away.
+  const double height = 1.6, length = 8.0, spacing = 1.7;
+  const auto ripples = [&](double x) { return std::abs(x) < 1.5 * length ? -height * std::cos(2.0 * M_PI * x / length) : height; };
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> off(-0.35 * spacing, 0.35 * spacing);
+  for (double x = -30.0; x < 30.0; x += spacing)
+    for (double y = -12.0; y < 12.0; y += spacing) {
+      const double at = x + off(random);
+      cloud->push_back({static_cast<float>(at), static_cast<float>(y + off(random)), static_cast<float>(ripples(at))});
+    }
+  const auto surface = surfaceOf(cloud);
+  for (const double ball : {4.0, 6.0}) {
+    const BallReach reach = reachOf(*surface, ball);
+    double depth = 0.0, unknown = 0.0;
+    for (std::size_t i = 0; i < reach.size(); ++i) {
+      const Vector3d foot = reach.position(i);
+      if (std::abs(foot.y()) > 6.0 || std::abs(foot.x()) > 20.0)
+        continue;
+      const bool tight = reach.isNearUnreached(foot, 6.0 * spacing);
+      const Vector3d centre = tight ? reach.centre(foot, reach.normal(i)) : Vector3d(foot + ball * reach.normal(i));
+      for (double x = centre.x() - ball; x < centre.x() + ball; x += 0.01)
+        depth = std::max(depth, ball - std::hypot(x - centre.x(), ripples(x) - centre.z()));
+      unknown = std::max(unknown, std::abs(foot.z() - ripples(foot.x())));
+    }
+    std::printf("  ball %g: %zu points not reached, deepest %.3f; the fit is off by up to %.3f, tolerance %.3f\n", ball,
+                reach.unreached().size(), depth, unknown, reach.tolerance());
+    EXPECT_LT(depth, 1.2 * (reach.tolerance() + unknown));
   }
 }
 

@@ -11,6 +11,8 @@ namespace {
 constexpr double patch_spacings = 0.75; // half the width of a patch: neighbouring patches overlap
 constexpr double own_spacings = 2.5;    // radius about a foot within which fits of neighbouring points share most of their points
 constexpr double deviations = 3.0;      // of the fit: depths below that are not known
+constexpr double own_deviations = 6.0;  // about a foot, where neighbouring patches differ by the noise of both
+constexpr double own_steps = 0.1;       // spacings: steps between them without noise, at the ends of fillets
 constexpr int most_shrinks = 40;        // of the ball at one foot; a few are usual
 constexpr double settled = 1e-4;        // of the radius: the ball shrinks no more
 constexpr std::size_t chunk = 1u << 16; // points fitted together
@@ -49,7 +51,8 @@ reachTolerance(const MlsSurface& fit, double least)
 }
 
 BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles)
-: radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)), own_(own_spacings * graph.spacing()), side_(graph.meanNormal())
+: radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)), own_(own_spacings * graph.spacing()),
+  own_tolerance_(std::max(own_deviations / deviations * tolerance_, own_steps * graph.spacing())), side_(graph.meanNormal())
 {
   fitPatches(graph, fit);
   setObstacles(obstacles);
@@ -146,7 +149,8 @@ BallReach::nearestOn(std::size_t place, const Eigen::Vector3d& from) const
 }
 
 bool
-BallReach::nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own) const
+BallReach::nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own,
+                            double own_within) const
 {
   if (!(within > 0.0))
     return false;
@@ -165,7 +169,7 @@ BallReach::nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::V
                         continue;
                       const Eigen::Vector3d on = nearestOn(i, from);
                       const double distance = (on - from).norm();
-                      if (distance >= best || (own && (on - *own).squaredNorm() < own_ * own_))
+                      if (distance >= best || (own && distance >= own_within && (on - *own).squaredNorm() < own_ * own_))
                         continue;
                       best = distance;
                       far = reachOfPoints();
@@ -181,13 +185,16 @@ BallReach::reach(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal) con
 {
   double radius = radius_;
   Eigen::Vector3d point;
-  for (int i = 0; i < most_shrinks && nearestOnSurface(foot + radius * normal, radius - tolerance_, point, &foot); ++i) {
-    // The ball that touches at the foot and has the point as deep in it as the tolerance.
+  double own_within = radius_ - own_tolerance_; // of a smaller ball, steps between the patches about the foot could be the deepest places
+  for (int i = 0; i < most_shrinks && nearestOnSurface(foot + radius * normal, radius - tolerance_, point, &foot, own_within); ++i) {
+    // The ball that touches at the foot and has the point as deep in it as the tolerance there.
     const Eigen::Vector3d apart = point - foot;
-    const double rise = apart.dot(normal) - tolerance_;
-    const double smaller = rise > 0.0 ? (apart.squaredNorm() - tolerance_ * tolerance_) / (2.0 * rise) : radius;
-    if (!(smaller < radius) || !(smaller > tolerance_))
+    const double allowed = apart.squaredNorm() < own_ * own_ ? own_tolerance_ : tolerance_;
+    const double rise = apart.dot(normal) - allowed;
+    const double smaller = rise > 0.0 ? (apart.squaredNorm() - allowed * allowed) / (2.0 * rise) : radius;
+    if (!(smaller < radius) || !(smaller > allowed))
       break;
+    own_within = 0.0;
     const bool done = radius - smaller < settled * radius;
     radius = smaller;
     if (done)

@@ -88,8 +88,9 @@ private:
   void averageNormals();
   Eigen::Vector3d nearestOn(std::size_t place, const Eigen::Vector3d& from) const;
   /** The point of the surface nearest to \p from, if it is nearer than \p within. Near \p own, the steps between neighbouring patches
-   *  would count as hollows: points there are left out. */
-  bool nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own = nullptr) const;
+   *  would count as hollows: there only points nearer than \p own_within count. */
+  bool nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own = nullptr,
+                        double own_within = 0.0) const;
   /** The same of the spheres of the clearance about the obstacles. */
   bool nearestObstacle(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point) const;
   /** The nearer of both. */
@@ -103,7 +104,7 @@ private:
   bool isOutside(const Eigen::Vector3d& centre) const;
 
   double radius_, tolerance_;
-  double own_; // mm
+  double own_, own_tolerance_; // mm: radius about a foot, and the depth that counts as noise there
   PointBlocks feet_;
   std::vector<Patch> patches_;                 // in the order of feet_
   std::vector<std::uint32_t> place_;           // in feet_, of each point of the graph
