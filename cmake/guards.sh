@@ -81,6 +81,14 @@ fault "newer PCL base classes have members of these names; choose others" \
 fault "messages of the library name setters, never a program's options" \
   "$(grep -rnE '"[^"]*--[a-z]' $library/include $library/src --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
 
+unnamed_setters() { # that messages of the spiral name, but no program translates into its option; inputs and tolerances of single classes have none
+  grep -rhoE '"[^"]*"' $library/src/spiral $library/include/pcl_spiral/spiral/impl | grep -oE '\bset[A-Z][A-Za-z]+' |
+    grep -vE '^set(Input[A-Za-z]*|Tolerance|FitTolerance)$' | sort -u | while read -r setter; do
+    grep -q "\"$setter" $library/tools/terminal/setter_names.cpp || echo "$setter"
+  done
+}
+fault "setters in messages without an option in tools/terminal/setter_names.cpp" "$(unnamed_setters || true)"
+
 flags='-march=native|-mavx|-ffast-math|-Ofast|PCL_NO_PRECOMPILE'
 fault "flags that break PCL's ABI, the same bytes everywhere, or the compile time" \
   "$(find . -name 'build*' -prune -o -path ./.git -prune -o -type f \

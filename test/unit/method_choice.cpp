@@ -3,6 +3,7 @@
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
+#include <pcl_spiral/spiral/impl/stage_reports.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <gtest/gtest.h>
@@ -100,6 +101,22 @@ TEST(MethodChoice, ConstantScallopRefusesSettingsOfLines)
   generator.compute(path);
   EXPECT_EQ(generator.getStatus().code(), StatusCode::InvalidArgument);
   EXPECT_NE(generator.getStatus().message().find("setCenter"), std::string::npos);
+}
+
+TEST(MethodChoice, AFailedRadialMethodIsPutBackForConstantScallop)
+{
+  SpiralReport before, report;
+  before.warnings = {"of the scan"};
+  report.warnings = {"of the scan", "of the lines"};
+  report.method = SpiralMethod::Radial;
+  report.stages.push_back({});
+  EXPECT_FALSE(putBackRadial({StatusCode::Cancelled, "cancelled"}, SpiralTurns(), before, report));
+  EXPECT_FALSE(putBackRadial({StatusCode::InvalidArgument, "too large"}, SpiralTurns(), before, report));
+  ASSERT_TRUE(putBackRadial({StatusCode::Failed, "no radial lines were found"}, SpiralTurns(), before, report));
+  EXPECT_EQ(report.method, before.method);
+  EXPECT_EQ(report.stages.size(), 1U);
+  ASSERT_EQ(report.warnings.size(), 2U);
+  EXPECT_NE(report.warnings[1].find("no radial lines were found"), std::string::npos) << report.warnings[1];
 }
 
 } // namespace

@@ -38,18 +38,32 @@ reportSpacing(const PathFigures& path, SpiralReport& report)
 }
 
 bool
-putBackIfReversed(const SpiralTurns& turns, const SpiralReport& before, SpiralReport& report)
+putBackRadial(const Status& status, const SpiralTurns& turns, const SpiralReport& before, SpiralReport& report)
 {
-  const PathReversals reversals = curveReversals(turns.curve);
-  if (reversals.count == 0)
+  if (!status.ok() && status.code() != StatusCode::Failed)
     return false;
+  std::string why = status.message();
+  if (status.ok()) {
+    const PathReversals reversals = curveReversals(turns.curve);
+    if (reversals.count == 0)
+      return false;
+    why = reversalText(reversals);
+  }
   std::vector<StageCost> stages = std::move(report.stages);
   report = before;
   report.stages = std::move(stages);
   report.warnings.push_back(
-      "the path was made at constant scallop height, though the radial method was foreseen to take less time: with it, " +
-      reversalText(reversals));
+      "the path was made at constant scallop height, though the radial method was foreseen to take less time: with it, " + why);
   return true;
+}
+
+Status
+neitherMethod(const Status& scallop, const Status& radial)
+{
+  return {StatusCode::Failed,
+          "both methods fail here, so the other one (setMethod) is no remedy: cut the part into pieces (PartRegion), scan "
+          "it more densely, or take another scallop height (setScallopHeight). At constant scallop height: " +
+              scallop.message() + ". With radial lines: " + radial.message()};
 }
 
 } // namespace pcl_spiral

@@ -8,11 +8,12 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 73> words{{
+constexpr std::array<std::pair<const char*, const char*>, 77> words{{
     {"setFixedAxis", "--axis"},
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setPartAt", "--part-at"},
+    {"PartRegion", "--region"},
     {"setClusterHandling with Ride", "--clusters ride"},
     {"setClusterHandling", "--clusters leave-out"},
     {"addKeepOut", "--keep-out"},
@@ -30,6 +31,9 @@ constexpr std::array<std::pair<const char*, const char*>, 73> words{{
     {"clearCenter", "without --center"},
     {"setMethod", "--method"},
     {"setPitch", "--pitch"},
+    {"setSense", "--sense"},
+    {"setStartPoint", "--start"},
+    {"setMaxStep", "--max-step"},
     {"setHoleHandling", "--holes"},
     {"setHoleSize", "--hole-size"},
     {"setOneWay", "--one-way"},

@@ -246,7 +246,7 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
   if (liesInSurface(lean, path.normals, wanted))
     return {StatusCode::Failed,
             textOf("the tool axis would lean ", degrees(lean.angle), " degrees from the normal at ", placeText(path.contacts[lean.point]),
-                   " to keep the largest axis rate of ", settings.max_axis_rate, " degrees per mm: raise the axis rate")};
+                   " to keep the largest axis rate of ", settings.max_axis_rate, " degrees per mm: raise the axis rate (setMaxAxisRate)")};
   const auto count = static_cast<std::int64_t>(field.axes.size());
   path.axes.resize(field.axes.size());
 #pragma omp parallel for schedule(static)
@@ -262,7 +262,7 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
                               settings.max_axis_rate,
                               " degrees per mm: the tool axis cannot follow it there and differs from the set "
                               "tilt by up to ",
-                              figures.largest_deviation, " degrees; allow a higher rate, or smooth the scan"));
+                              figures.largest_deviation, " degrees; allow a higher rate (setMaxAxisRate), or smooth the scan"));
   return Status::success();
 }
 
@@ -278,9 +278,10 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     figures.largest_gap = std::max(figures.largest_gap, (path.contacts[i] - path.contacts[i - 1]).norm());
     const double gap = (feet[i] - feet[i - 1]).norm();
     if (!(gap <= slack * longest_step))
-      return {StatusCode::Failed, textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
-                                         ", more than the longest step of ", longest_step,
-                                         " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step")};
+      return {StatusCode::Failed,
+              textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
+                     ", more than the longest step of ", longest_step,
+                     " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step (setMaxStep)")};
   }
   figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
   figures.points = path.contacts.size();

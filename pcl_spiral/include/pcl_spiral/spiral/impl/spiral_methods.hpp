@@ -96,16 +96,21 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::Con
   clock.end("choice of method");
   if (foresight.method == SpiralMethod::Radial) {
     const SpiralReport before = report_;
-    const Status status = makeRadial(surface, loops, clock, turns);
-    return putBackIfReversed(turns, before, report_) ? makeConstantScallop(*surface, loops, clock, turns) : status;
+    const Status radial = makeRadial(surface, loops, clock, turns);
+    if (!putBackRadial(radial, turns, before, report_))
+      return radial;
+    const Status scallop = makeConstantScallop(*surface, loops, clock, turns);
+    return scallop.code() == StatusCode::Failed && !radial.ok() ? neitherMethod(scallop, radial) : scallop;
   }
-  const Status status = makeConstantScallop(*surface, loops, clock, turns);
-  if (status.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
-    return status;
+  const Status scallop = makeConstantScallop(*surface, loops, clock, turns);
+  if (scallop.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
+    return scallop;
   report_.warnings.push_back("the radial method made the path, though a shorter one was foreseen at constant scallop height: " +
-                             status.message());
+                             scallop.message());
   const Status radial = makeRadial(surface, loops, clock, turns);
-  return radial.ok() && curveReversals(turns.curve).count > 0 ? status : radial;
+  if (radial.code() == StatusCode::Failed)
+    return neitherMethod(scallop, radial);
+  return radial.ok() && curveReversals(turns.curve).count > 0 ? scallop : radial;
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>

@@ -38,9 +38,12 @@ void reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigur
 /** Closest turns as measured, or as planned if the path has too few turns. Efficiency, with a warning if it is low. */
 void reportSpacing(const PathFigures& path, SpiralReport& report);
 
-/** True if the radial path of \p turns turns back on itself. Then \p report is what it was \p before that path, except for the stages, with
- *  a warning. */
-bool putBackIfReversed(const SpiralTurns& turns, const SpiralReport& before, SpiralReport& report);
+/** True if the radial method failed (\p status) or its path of \p turns turns back on itself. Then \p report is what it was \p before that
+ *  path, except for the stages, with a warning. */
+bool putBackRadial(const Status& status, const SpiralTurns& turns, const SpiralReport& before, SpiralReport& report);
+
+/** The failure of both methods in one: each may name the other as its remedy, which was tried. */
+Status neitherMethod(const Status& scallop, const Status& radial);
 
 /** Figures of the published method on \p surface, as far as it got. If the path is complete, its arrays move to \p path, with
  *  marks of gaps. */
