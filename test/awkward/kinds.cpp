@@ -258,7 +258,7 @@ echoes(Scene& s, test::Random& random)
 void
 trees(Scene& s, test::Random& random)
 {
-  drawScan(s, drawnPart(random, s.size), random);
+  drawScan(s, drawnPartOf(std::max(90.0, 120.0 * s.size), random), random); // there is part left between them
   s.motion = levelMotion(random, 100.0);
   std::vector<std::pair<Vector3d, double>> feet; // and the room that a tree takes
   for (std::size_t i = 2 + random.below(s.size < 1.0 ? 2 : 8); i > 0; --i) {
