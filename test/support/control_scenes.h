@@ -45,6 +45,9 @@ std::string textOf(const MachineProgram& program, Dialect dialect, const Program
 /** The shop that runs it. */
 ControlJob jobOf(const DomeScene& scene, const Machine& machine, Dialect dialect);
 
+/** The minutes at feed that \p text, the program in its language, gives the control. */
+double writtenMinutes(const MachineProgram& program, Dialect dialect, const std::string& text);
+
 /** Runs the program to its end: every pose is passed, the axes stand where they were planned, and the time is that of the report. */
 void expectRuns(const DomeScene& scene, const MachineProgram& program, Dialect dialect, const ProgramHeader& header, const ControlJob& job);
 

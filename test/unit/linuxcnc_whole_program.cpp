@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace pcl_spiral;
 using namespace pcl_spiral::test;
 
@@ -23,7 +25,8 @@ zeroed(Machine machine)
 
 struct WholeRun {
   CanonicalRun canon;
-  ControlRun own; ///< of the control of the tests, from the same text
+  ControlRun own;             ///< of the control of the tests, from the same text
+  std::size_t length_off = 0; ///< line of the last G49
 };
 
 WholeRun
@@ -33,18 +36,20 @@ whole(const DomeScene& scene, const Machine& machine)
   const std::string text = test::textOf(programOf(scene, machine), Dialect::LinuxCNC, headerOf());
   writeText(folder.path("part.ngc"), text);
   WholeRun run{interpret(folder.path("part.ngc"), folder, PCL_SPIRAL_MACHINES_DIR "/rs274", machine.tool_length),
-               runProgram(text, Dialect::LinuxCNC, jobOf(scene, machine, Dialect::LinuxCNC))};
+               runProgram(text, Dialect::LinuxCNC, jobOf(scene, machine, Dialect::LinuxCNC)),
+               static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.rfind("G49")), '\n') + 1)};
   EXPECT_EQ(run.canon.code, 0) << scene.name << ", " << machine.name;
   EXPECT_EQ(run.canon.messages, "") << scene.name << ", " << machine.name;
   EXPECT_EQ(run.own.fault, "") << scene.name << ", " << machine.name;
   return run;
 }
 
-/** X Y Z of the language at the end of a motion. */
+/** X Y Z of the language at the end of a motion; \p length_off: the line from which on the tool length is off. */
 Eigen::Vector3d
-programmed(const Machine& machine, const ControlMotion& motion)
+programmed(const Machine& machine, const ControlMotion& motion, std::size_t length_off)
 {
-  return motion.tool_tip ? motion.at.tip : Eigen::Vector3d(motion.gauge - Eigen::Vector3d(0.0, 0.0, machine.tool_length));
+  const double length = motion.line < length_off ? machine.tool_length : 0.0;
+  return motion.tool_tip ? motion.at.tip : Eigen::Vector3d(motion.gauge - Eigen::Vector3d(0.0, 0.0, length));
 }
 
 /** Both read the same motions; F gives each feed move its time. */
@@ -58,7 +63,7 @@ expectTheSame(const Machine& machine, const WholeRun& run)
     const CanonicalMotion& canon = run.canon.motions[i];
     const ControlMotion &own = run.own.motions[i], &before = run.own.motions[i - 1];
     const Eigen::Vector3d to(canon.xyzabc[0], canon.xyzabc[1], canon.xyzabc[2]);
-    const Eigen::Vector3d off = to - programmed(machine, own);
+    const Eigen::Vector3d off = to - programmed(machine, own, run.length_off);
     at_tip = at_tip || own.tool_tip;
     const bool knows_place = own.tool_tip || !at_tip; // after M429 a machine reads its slides anew, the interpreter alone does not
     ASSERT_LT(knows_place ? off.norm() : std::abs(off.z()), 3e-4) << machine.name << ", line " << own.line;
@@ -71,7 +76,7 @@ expectTheSame(const Machine& machine, const WholeRun& run)
     ++feeds;
     ASSERT_EQ(canon.spindle, 12000.0) << own.line;
     ASSERT_TRUE(canon.flood) << own.line;
-    const double way = (programmed(machine, own) - programmed(machine, before)).norm();
+    const double way = (programmed(machine, own, run.length_off) - programmed(machine, before, run.length_off)).norm();
     const double turn = std::hypot(own.degrees[0] - before.degrees[0], own.degrees[1] - before.degrees[1]);
     ASSERT_TRUE(way < 1e-7 || way > 5e-5) << "LinuxCNC takes the rotary axes' speed from such a way, line " << own.line;
     const double expected = (way > 1e-7 ? way : turn) / own.minutes;
