@@ -95,6 +95,9 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, con
   if (!status.ok())
     throw FileError(file, inOptions(status.message()));
   judged.verification.broken = inOptions(brokenLimits(job.limits, judged.verification));
+  if (!job.limits.any())
+    for (const std::string& fault : faultsOfPoses(judged.verification))
+      judged.verification.broken.push_back(fault);
   constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   const double allowed = settings.chord_error + deviations * reference->noise();
   for (const std::string& fault : faultsBeside(part, reference->scanned(), judged.path, settings, allowed))

@@ -177,9 +177,13 @@ TEST_F(Verify, AMeshTakesTheScansPlace)
   fails({"part.obj", "rows.csv", "--crease-angle", "20"}, 2, "--mesh");
   fails({"part.obj", "rows.csv", "--mesh", "--crease-angle", "0"}, 2, "--crease-angle");
   fails({"part.obj", "rows.csv", "--mesh", "--view-point", "0,0,100"}, 2, "--view-point");
-  const RunResult flipped = run({"part.obj", "rows.csv", "--mesh", "--flip-normals", "--max-gouge", "0.02"});
-  EXPECT_EQ(flipped.code, 1);
-  EXPECT_NE(flipped.out.find("normal that points into the material"), std::string::npos) << flipped.out;
+  for (const Arguments& limit : {Arguments{"--max-gouge", "0.02"}, Arguments{}}) {
+    Arguments arguments{"part.obj", "rows.csv", "--mesh", "--flip-normals"};
+    arguments.insert(arguments.end(), limit.begin(), limit.end());
+    const RunResult flipped = run(arguments);
+    EXPECT_EQ(flipped.code, 1) << limit.size();
+    EXPECT_NE(flipped.out.find("normal that points into the material"), std::string::npos) << flipped.out;
+  }
 }
 
 TEST_F(Verify, FindsAGougeAndWhereItIs)

@@ -43,14 +43,24 @@ brokenLimits(const Limits& limits, const Verification& verification)
   for (const Figure& figure : table.figures())
     if (figure.limit && !figure.limit->holds())
       broken.push_back(brokenText(figure));
-  const DeviationFigures& d = verification.deviation;
-  addFault(broken, d.unmeasured, d.points, "lie off the surface and were not judged");
-  addFault(broken, d.opposed, d.points, "have a normal that points into the material" + placeSuffix(table.at("deviation/opposed_normals")));
-  addFault(broken, d.inward_axes, d.points,
-           "have a tool axis that points into the material" + placeSuffix(table.at("deviation/inward_axes")));
-  addFault(broken, verification.tips_off, d.points,
-           "have a tool tip that is not this cutter's, the farthest" + placeSuffix(table.at("tip_error")));
+  addFault(broken, verification.deviation.unmeasured, verification.deviation.points, "lie off the surface and were not judged");
+  for (const std::string& fault : faultsOfPoses(verification))
+    broken.push_back(fault);
   return broken;
+}
+
+std::vector<std::string>
+faultsOfPoses(const Verification& verification)
+{
+  std::vector<std::string> faults;
+  const FigureTable table = figuresOf(verification, Limits());
+  const DeviationFigures& d = verification.deviation;
+  addFault(faults, d.opposed, d.points, "have a normal that points into the material" + placeSuffix(table.at("deviation/opposed_normals")));
+  addFault(faults, d.inward_axes, d.points,
+           "have a tool axis that points into the material" + placeSuffix(table.at("deviation/inward_axes")));
+  addFault(faults, verification.tips_off, d.points,
+           "have a tool tip that is not this cutter's, the farthest" + placeSuffix(table.at("tip_error")));
+  return faults;
 }
 
 std::vector<std::string>

@@ -13,6 +13,9 @@ namespace pcl_spiral {
  *  Limits::gouge. */
 std::vector<std::string> brokenLimits(const Limits& limits, const Verification& verification);
 
+/** Normals, axes and tool tips that are wrong, with their number and place: no cutter can be judged by them, with or without limits. */
+std::vector<std::string> faultsOfPoses(const Verification& verification);
+
 /** The limits that are kept but lie below leastShown, where noise and deviation cannot be told apart. With any limit: the points
  *  in gaps, where there is nothing to judge by. */
 std::vector<std::string> unprovenLimits(const Limits& limits, const Verification& verification);

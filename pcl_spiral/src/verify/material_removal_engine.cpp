@@ -15,7 +15,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t chunk = 1u << 16; // places between progress reports
+constexpr std::size_t chunk = 1u << 13; // places between progress reports, where a run can be cancelled
 constexpr double noise_share = 0.1;     // of the chord error, and
 constexpr double moves_share = 2.0;     // of the chord error: how far a path over clusters keeps from their points
 constexpr double fit_share = 5.0;       // of the noise of the fit: depth of a ball that does not count
