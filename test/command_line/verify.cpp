@@ -255,7 +255,8 @@ TEST_F(Verify, VtpCarriesTheDeviationOfEachPoint)
     f[14] = row < place ? 700.0 : 900.0; // its feed
     if (row == place)
       for (int axis = 0; axis < 3; ++axis)
-        f[2 + axis] += 0.02 * f[5 + axis];
+        for (int column : {2, 8}) // contact and tip
+          f[column + axis] += 0.02 * f[5 + axis];
   });
   const auto path = figures("spoilt.csv", {"-o", "judged.vtp"});
   ASSERT_EQ(last_.code, 0) << last_.err;
