@@ -286,6 +286,17 @@ TEST_F(BesideClamps, AStripBetweenAHoleAndTheRimIsNamedWithItsWidthAndAPolygonOv
   }
 }
 
+TEST_F(BesideClamps, SinglePointsAboveTheSurfaceAreNoThings)
+{
+  const AlignedBox2d clamp(Vector2d(8.0, -4.0), Vector2d(16.0, 4.0));
+  writeCap([&](const Vector2d& p) { return !clamp.contains(p); }, "18.5 0.3 6\n3.2 5.1 11\n"); // no clamp stands in the keep-out
+  writePolygon("keep.txt", clamp);
+  const RunResult done = run({"--keep-out", "keep.txt"});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.err.find("single points off the surface near keep-outs were left out"), std::string::npos) << done.err;
+  expectCapCut({clamp}, 2.0 * radius + 2.0);
+}
+
 TEST_F(BesideClamps, AllSmallPartsAreListedOrCounted)
 {
   std::vector<AlignedBox2d> clamps{{Vector2d(60.0, -40.0), Vector2d(130.0, 40.0)}}; // too large for a cluster

@@ -120,9 +120,10 @@ selectedBy(Region& region, const CutScan& from)
   return kept;
 }
 
-/** Keeps only \p kept, ascending; adds the points left out that are not in a keep-out to those beside the part. */
+/** Keeps only \p kept, ascending; adds the points left out that are neither in a keep-out nor among \p echoes, ascending, to those
+ *  beside the part. */
 void
-keepOnly(const pcl::Indices& kept, CutScan& from)
+keepOnly(const pcl::Indices& kept, const pcl::Indices& echoes, CutScan& from)
 {
   Scan& scan = from.scan;
   if (kept.empty())
@@ -139,12 +140,23 @@ keepOnly(const pcl::Indices& kept, CutScan& from)
     const auto contains = [&](const Prism& prism) { return prism.contains(p.getVector3fMap().cast<double>()); };
     const std::vector<Prism>& keep_outs = from.part.keep_outs;
     const bool kept_out = std::any_of(keep_outs.begin(), keep_outs.end(), contains);
-    if (pcl::isFinite(p))
+    if (pcl::isFinite(p) && !std::binary_search(echoes.begin(), echoes.end(), static_cast<pcl::index_t>(i)))
       (kept_out ? from.part.kept_out : from.part.beside).push_back(p.getVector3fMap());
   }
   scan.cloud = selected(*scan.cloud, kept);
   if (scan.normals)
     scan.normals = selected(*scan.normals, kept);
+}
+
+/** Single points off \p surface: no thing stands there. */
+pcl::Indices
+echoesOf(const Surface& surface)
+{
+  pcl::Indices echoes;
+  for (std::size_t i = 0; i < surface.leftOut().why.size(); ++i)
+    if (surface.leftOut().why[i] == LeftOut::Isolated)
+      echoes.push_back(static_cast<pcl::index_t>(surface.leftOut().indices[i]));
+  return echoes;
 }
 
 /** Keeps the points at which \p tool stays out of the keep-outs, without the \p strips; adds the others to \p figures. */
@@ -169,7 +181,13 @@ keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const St
     kept = std::move(rest);
     from.part.strips.push_back(narrow[i]);
   }
-  keepOnly(kept, from);
+  const pcl::Indices echoes = echoesOf(*surface);
+  const auto gone =
+      std::count_if(echoes.begin(), echoes.end(), [&kept](pcl::index_t i) { return !std::binary_search(kept.begin(), kept.end(), i); });
+  figures.too_close -= static_cast<std::size_t>(gone);
+  if (gone > 0)
+    from.scan.warnings.push_back(textOf(gone, " single points off the surface near keep-outs were left out: no thing stands there"));
+  keepOnly(kept, echoes, from);
 }
 
 /** Adds what was left out to the warnings of the scan, which had \p all points. */
@@ -227,10 +245,10 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
     region.addKeepOut(part.keep_outs.back());
   }
   CutScan from{choice, file, read, scan, part};
-  keepOnly(selectedBy(region, from), from); // first what stands there, which would disturb the normals beside it
+  keepOnly(selectedBy(region, from), {}, from); // first what stands there, which would disturb the normals beside it
   RegionFigures figures = region.getFigures();
   if (!choice.region.empty()) {
-    keepOnly(selectedBy(inside, from), from);
+    keepOnly(selectedBy(inside, from), {}, from);
     figures.cropped += inside.getFigures().cropped;
   }
   if (!part.keep_outs.empty() && tool.radius > 0.0)

@@ -23,7 +23,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** A refusal of the generator. */
+/** A refusal of the surface or of the generator. */
 class NoPath : public FileError {
 public:
   using FileError::FileError;
@@ -37,6 +37,16 @@ setPart(const Job& job, const Result& result, Stage& stage)
   if (result.part.part_at)
     stage.setPartAt(*result.part.part_at);
   stage.setClusterHandling(job.part.clusters);
+}
+
+/** \throw NoPath, and what requireOk throws */
+void
+requirePath(const Job& job, const Status& status)
+{
+  if (status.ok() || status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::Cancelled || cancelled())
+    requireOk(job, status);
+  else
+    throw NoPath(job.scan, inWords(job, status.message()));
 }
 
 /** The surface of the samples of a mesh, or the one that planning, verification and the map of reach share. */
@@ -60,7 +70,7 @@ surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
   scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.25 * share, stage); });
   Surface::ConstPtr surface;
   scanned.compute(surface);
-  requireOk(job, scanned.getStatus());
+  requirePath(job, scanned.getStatus());
   return surface;
 }
 
@@ -145,16 +155,6 @@ settingsFor(const Job& job, const Result& result)
   return settings;
 }
 
-/** \throw NoPath, and what requireOk throws */
-void
-requirePath(const Job& job, const Status& status)
-{
-  if (status.ok() || status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::Cancelled || cancelled())
-    requireOk(job, status);
-  else
-    throw NoPath(job.scan, inWords(job, status.message()));
-}
-
 /** The path over the region that job.part chooses, without its narrow \p strips beside keep-outs. \p result has what readInput gave. */
 Result
 planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result result)
@@ -194,14 +194,17 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
   return result;
 }
 
-/** The same; absent if the generator refuses. */
+/** The same; absent if there is none, or if no point is left. */
 std::optional<Result>
 tried(const Job& job, const StripChoice& strips, ProgressBar& bar, const Result& input)
 {
   try {
     return planned(job, strips, bar, input);
   }
-  catch (const NoPath&) {
+  catch (const FileError&) {
+    return std::nullopt;
+  }
+  catch (const UsageError&) {
     return std::nullopt;
   }
 }
