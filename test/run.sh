@@ -19,6 +19,9 @@ jobs=$(nproc)
 echo "Building with $jobs jobs"
 cmake --build "$build" --parallel "$jobs"
 
+# Threads that spin while they wait slow the tests beside them 3.5 times.
+export OMP_WAIT_POLICY=passive
+
 echo "Testing with $jobs tests at a time"
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24")

@@ -187,6 +187,19 @@ TEST(Program, WithoutAMachineFileTheUserIsToldWhatWasTaken)
   expectHas(readText(folder.path("part.ngc")), "\nG43\n"); // of the loaded tool
 }
 
+TEST(Program, TheJudgeTakesTheLanguageOfTheName)
+{
+  const ScratchFolder folder;
+  for (const std::string name : {"a.ngc", "a.mpf", "a.h"}) {
+    const RunResult done =
+        endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM,
+                           {"cap.xyz", name, "--machine", machines + "/xyzac.yaml", "--tool-radius", "8", "--dialect", "fanuc"}, folder),
+              folder);
+    EXPECT_EQ(done.code, 2) << done.err;
+    expectHas(done.err, name + ": is always for ");
+  }
+}
+
 TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
 {
   const ScratchFolder folder;
@@ -223,7 +236,7 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(codes("a.ngc", on, {}),
             "--pass-begin M62 P0: is given without the other, and a beam that is never switched off burns the part; give both");
   expectHas(codes("a.ngc", {}, off), "--pass-end M63 P0: is given without the other");
-  expectHas(codes("a.csv", on, off), "--pass-begin M62 P0: no output is a program; add an output .ngc or .nc, or leave it out");
+  expectHas(codes("a.csv", on, off), "--pass-begin M62 P0: no output is a program; add an output .ngc, .nc, .mpf or .h, or leave it out");
   expectHas(codes("a.ngc", on, {"--pass-end", "M63 P0\nM3"}), "the code has a line break");
   expectHas(codes("a.ngc", {"--pass-begin", "M62 (on)"}, off), "--pass-begin M62 (on): the code has (, which belongs to comments");
   expectHas(codes("a.ngc", {"--pass-begin", "%"}, off), "--pass-begin %: the code has %, which ends the program");

@@ -59,7 +59,7 @@ machineOf(const ProgramJob& program, const std::vector<std::string>& outputs)
   for (const std::string& output : outputs)
     if (isProgram(output))
       if (const std::string fault = faultOfSettings(languageOf(program, output), machine, program.header); !fault.empty())
-        throw FileError(output, fault + (file.empty() ? "" : " (machine file " + file + ")"));
+        throw FileError(output, fault + (file.empty() ? " (no --machine is given)" : " (machine file " + file + ")"));
   return machine;
 }
 

@@ -27,7 +27,7 @@ checkCodes(const ProgramHeader& header, bool any_program, const std::set<std::st
     if (const std::string fault = faultOfCode(code); !fault.empty())
       throw UsageError(option + "the code " + fault);
     if (!any_program)
-      throw UsageError(option + "no output is a program; add an output .ngc or .nc, or leave it out");
+      throw UsageError(option + "no output is a program; add an output .ngc, .nc, .mpf or .h, or leave it out");
     if (given.count("pass-begin") != given.count("pass-end"))
       throw UsageError(option + "is given without the other, and a beam that is never switched off burns the part; give both, such as "
                                 "--pass-begin \"M62 P0\" --pass-end \"M63 P0\"");
@@ -116,7 +116,8 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
   requireOption(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
   requireOption(s.stay_down >= 0.0, "stay-down", s.stay_down, "must be above 0 mm, or 0 for retracts");
   if (given.count("stay-down") > 0 && !hasProgram(program, outputs))
-    throw UsageError("--stay-down: no output is a program, and only programs have links; add an output .ngc or .nc, or leave it out");
+    throw UsageError(
+        "--stay-down: no output is a program, and only programs have links; add an output .ngc, .nc, .mpf or .h, or leave it out");
   requireOption(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
   for (const auto& [name, feed] :
        {std::pair("plunge-feed", s.plunge_feed), std::pair("lead-feed", s.lead_feed), std::pair("link-feed", s.link_feed)})

@@ -79,11 +79,14 @@ checkPrograms(const VerifyJob& job)
 {
   const bool any = std::any_of(job.paths.begin(), job.paths.end(), isProgramFile);
   require(any || (job.machine_file.empty() && !job.dialect),
-          "--machine and --dialect belong to programs; give a .ngc, .nc or .apt, or leave them out");
+          "--machine and --dialect belong to programs; give a .ngc, .nc, .mpf, .h or .apt, or leave them out");
   require(!any || !job.mesh, "programs are judged by a scan; leave --mesh out, so that the vertices of the mesh are the scan");
-  for (const std::string& path : job.paths)
-    require(!job.machine_file.empty() || !pcl_spiral::isProgramExtension(extensionOf(path)),
+  for (const std::string& path : job.paths) {
+    require(!job.machine_file.empty() || !isProgramExtension(extensionOf(path)),
             path + ": a program has the axes of a machine; give its machine file, such as --machine xyzac.yaml");
+    if (const std::optional<Dialect> own = dialectOfExtension(extensionOf(path)); own && job.dialect)
+      require(*own == *job.dialect, path + ": is always for " + std::string(entryOf(*own).word) + "; leave --dialect out");
+  }
 }
 
 void
