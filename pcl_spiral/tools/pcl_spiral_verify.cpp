@@ -95,7 +95,7 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, con
   if (!status.ok())
     throw FileError(file, inOptions(status.message()));
   judged.verification.broken = inOptions(brokenLimits(job.limits, judged.verification));
-  if (!job.limits.any())
+  if (!job.limits.any() && !judged.verification.program) // the contacts of a program are the judge's own
     for (const std::string& fault : faultsOfPoses(judged.verification))
       judged.verification.broken.push_back(fault);
   constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
