@@ -7,6 +7,7 @@
 #include "io/byte_file.h"
 #include <pcl_spiral/surface/impl/ball_reach.h>
 
+#include <algorithm>
 #include <vector>
 
 using namespace pcl_spiral;
@@ -34,11 +35,14 @@ headOf(const std::string& extension, std::size_t points)
 void
 addSurface(const Job& job, const Surface& surface, ReachMap& map)
 {
-  const BallReach reach(surface.graph(), surface.fit(), map.largest, reachTolerance(surface.fit(), noise_share * job.settings.chord_error));
   const std::size_t first = map.radii.size();
   map.radii.resize(first + surface.size(), static_cast<float>(map.largest));
-  for (const UnreachedPoint& point : reach.unreached())
-    map.radii[first + point.index] = point.reach;
+  const double tolerance = reachTolerance(surface.fit(), noise_share * job.settings.chord_error);
+  for (const double radius : {map.largest, job.settings.tool_radius}) { // grooves of a few spacings are found by balls not much larger
+    const BallReach reach(surface.graph(), surface.fit(), radius, tolerance);
+    for (const UnreachedPoint& point : reach.unreached())
+      map.radii[first + point.index] = std::min(map.radii[first + point.index], point.reach);
+  }
   for (std::size_t i = 0; i < surface.size(); ++i)
     map.places.push_back(surface.position(i));
 }
