@@ -95,6 +95,8 @@ remediesOf(const Scene& scene, const std::string& said, const std::string& prefi
     addExtents(said, prefix, folder, remedies);
   if (names("tilt the tool less"))
     remedies.push_back({"--tilt 0", {"--tilt", "0"}});
+  if (names("choose the radial method (--method)"))
+    remedies.push_back({"--method radial", {"--method", "radial"}});
   for (const std::smatch& match : matches(said, "use a smaller tool: a radius of " + number + " mm"))
     remedies.push_back({"--tool-radius", {}, std::stod(match[1])});
   return remedies;

@@ -48,10 +48,11 @@ public:
   void follow(const Scene& scene, const Arguments& arguments, const std::string& said, const std::string& chain, int depth)
   {
     const std::vector<Remedy> remedies = remediesOf(scene_, said, "r" + std::to_string(tried_.size()) + "_", folder_);
+    const std::size_t so_far = paths_;
     for (const Remedy& remedy : remedies) {
       if (remedy.name == "--tilt 0" && std::find(arguments.begin(), arguments.end(), "--tilt") != arguments.end())
         continue; // done before
-      if (depth > 0 && paths_ > 0)
+      if (depth > 0 && paths_ > so_far)
         return;
       const std::size_t before = paths_;
       tryOne(scene, arguments, remedy, chain + " > " + remedy.name, depth);

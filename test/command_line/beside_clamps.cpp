@@ -258,7 +258,7 @@ TEST_F(BesideClamps, AStripIsLeftUncutOnlyWhereNoPathIsFoundWithItAndIsNamed)
   EXPECT_GT(named, 0U) << "no case has a strip that is left uncut";
 }
 
-TEST_F(BesideClamps, AStripBetweenAHoleAndTheRimIsNamedWithItsWidthAndAPolygonOverItHelps)
+TEST_F(BesideClamps, AStripBetweenAHoleAndTheRimIsNamedAndAPolygonByItsExtentOrTheRadialMethodHelps)
 {
   constexpr double hole = 8.0;
   for (const double width : {1.0, 2.0}) {
@@ -272,17 +272,26 @@ TEST_F(BesideClamps, AStripBetweenAHoleAndTheRimIsNamedWithItsWidthAndAPolygonOv
     EXPECT_NEAR(std::stod(found[1]), width, 0.4) << "half a spacing";
     EXPECT_NEAR(std::stod(found[2]), rim - 0.5 * width, 0.4);
     EXPECT_NEAR(std::stod(found[3]), 0.0, 3.0);
+    const std::vector<AlignedBox2d> named = extents(refused.err);
+    ASSERT_EQ(named.size(), 1U) << refused.err;
+    EXPECT_TRUE(named.front().contains(Vector2d(rim - 0.5 * width, 0.0))) << refused.err;
+    EXPECT_GT(named.front().min().x(), rim - 8.0) << refused.err;
     Arguments remedy = call;
     remedy.insert(remedy.end(), {"--keep-out", "keep.txt"});
     double larger = 0.0; // as a refusal may ask for
     RunResult result;
     for (int i = 0; i < 3 && result.code != 0; ++i) {
-      writePolygon("keep.txt", {Vector2d(rim - width - 1.0 - larger, -6.0 - larger), Vector2d(42.0, 6.0 + larger)});
+      const Vector2d aside = Vector2d::Constant(larger);
+      writePolygon("keep.txt", {named.front().min() - aside, named.front().max() + aside});
       result = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, remedy, folder_), folder_);
       if (std::regex_search(result.err, found, std::regex("enters a keep-out by ([0-9.]+) mm")))
         larger += std::stod(found[1]) + 0.01;
     }
     EXPECT_EQ(result.code, 0) << result.err;
+    Arguments other = call;
+    other.back() = "radial"; // the other remedy
+    const RunResult radial = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, other, folder_), folder_);
+    EXPECT_EQ(radial.code, 0) << radial.err;
   }
 }
 
