@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "remedies.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <regex>
@@ -80,10 +82,30 @@ addClusters(const std::string& said, const std::string& prefix, const ScratchFol
     remedies.push_back(remedy);
 }
 
+/** The keep-outs of \p arguments again, larger by as much as the message says: boxes about them. */
+void
+addLarger(const std::vector<std::string>& arguments, const std::string& said, const std::string& prefix, const ScratchFolder& folder,
+          std::vector<Remedy>& remedies)
+{
+  Remedy remedy{"--keep-out larger", {}};
+  const double larger = std::stod(matches(said, "(?:by|cut) " + number + " mm").front()[1]) + 0.01;
+  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+    if (arguments[i] != "--keep-out")
+      continue;
+    std::istringstream text(readText(folder.path(arguments[i + 1])));
+    Eigen::AlignedBox2d box;
+    for (Vector2d p; text >> p.x() >> p.y();)
+      box.extend(p);
+    addKeepOut(box.min() - Vector2d::Constant(larger), box.max() + Vector2d::Constant(larger), prefix, folder, remedy);
+  }
+  remedies.push_back(remedy);
+}
+
 } // namespace
 
 std::vector<Remedy>
-remediesOf(const Scene& scene, const std::string& said, const std::string& prefix, const ScratchFolder& folder)
+remediesOf(const Scene& scene, const std::vector<std::string>& arguments, const std::string& said, const std::string& prefix,
+           const ScratchFolder& folder)
 {
   const auto names = [&](const std::string& words) { return said.find(words) != std::string::npos; };
   std::vector<Remedy> remedies;
@@ -93,6 +115,8 @@ remediesOf(const Scene& scene, const std::string& said, const std::string& prefi
     addClusters(said, prefix, folder, remedies);
   else if (names("(--keep-out)"))
     addExtents(said, prefix, folder, remedies);
+  if (names("enlarge the polygon there by that much (--keep-out)"))
+    addLarger(arguments, said, prefix, folder, remedies);
   if (names("tilt the tool less"))
     remedies.push_back({"--tilt 0", {"--tilt", "0"}});
   if (names("choose the radial method (--method)"))

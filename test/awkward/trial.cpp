@@ -47,7 +47,7 @@ public:
   /** Tries each remedy of \p said, the first refusal; of later refusals only until one leads to a path. */
   void follow(const Scene& scene, const Arguments& arguments, const std::string& said, const std::string& chain, int depth)
   {
-    const std::vector<Remedy> remedies = remediesOf(scene_, said, "r" + std::to_string(tried_.size()) + "_", folder_);
+    const std::vector<Remedy> remedies = remediesOf(scene_, arguments, said, "r" + std::to_string(tried_.size()) + "_", folder_);
     const std::size_t so_far = paths_;
     for (const Remedy& remedy : remedies) {
       if (remedy.name == "--tilt 0" && std::find(arguments.begin(), arguments.end(), "--tilt") != arguments.end())
