@@ -221,6 +221,15 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--coolant", "through"}, 1), "a.ngc: coolant through the spindle has another word");
   expectHas(said({"-o", "a.ngc", "--coolant", "through"}, 1), "give it in the machine file, such as program: {coolant: {through: M88}}");
   expectHas(said({"-o", "a.ngc", "--feed-mode", "per-minute"}, 1), "a.ngc: a feed in mm/min of the tip needs fanuc");
+  expectHas(said({"-o", "a.ngc", "--feed-mode", "per-minute"}, 1), "instead (--feed-mode inverse-time)");
+  const std::vector<std::pair<std::string, std::string>> words{
+      {"--coolant", "flood"},        {"--spindle", "9000"},    {"--spindle-direction", "ccw"}, {"--tool", "3"},         {"--decimals", "3"},
+      {"--feed-mode", "per-minute"}, {"--line-numbers", "10"}, {"--smoothing", "0"},           {"--work-offset", "G55"}};
+  for (const auto& [option, value] : words)
+    expectHas(said({"-o", "a.csv", option, value}, 2), option + ": no output is a program");
+  expectHas(said({"-o", "a.apt", "--feed-mode", "per-minute"}, 2),
+            "--feed-mode: no output is a program; add an output such as -o part.ngc");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--block-tolerance", "1e-9,1e-9"}, 2), "must be 0.0001 mm");
   expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2), "--dialect okuma: must be one of");
   expectHas(said({"-o", "a.ngc", "--machine", "none.yaml"}, 1), "none.yaml: there is no such machine file");

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <locale>
+#include <regex>
 
 using namespace pcl_spiral;
 using namespace pcl_spiral::test;
@@ -176,6 +177,25 @@ TEST(ProgramDialects, TheSpindleGoesUpFirstAndLastWhereTheMachineSaysHowFar)
   EXPECT_EQ(count(Dialect::Fanuc, "\nG0 G53 Z400.0000\n"), 2U);
   EXPECT_EQ(count(Dialect::Siemens, "\nSUPA G0 Z400.0000 D0\n"), 2U);
   EXPECT_EQ(count(Dialect::Heidenhain, " L Z+400.000 R0 FMAX M91\n"), 2U);
+}
+
+TEST(ProgramDialects, TheToolLengthOfASiemensIsOffAtTheEndWithAndWithoutARetract)
+{
+  const ScratchFolder folder;
+  const std::string file = folder.path("part.mpf");
+  Machine machine = testMachines()[0];
+  for (const std::optional<double> height : {std::optional<double>(), std::optional(400.0)}) {
+    machine.retract_z = height;
+    writeProgram(file, programFor(machine, testPath()), Dialect::Siemens, {"part", 0.0, 0, 4});
+    const std::string text = readText(file);
+    const std::size_t on = text.rfind(" D1\n"), off = text.rfind("D0\n"), end = text.rfind("M30\n");
+    ASSERT_NE(on, std::string::npos);
+    ASSERT_NE(off, std::string::npos);
+    EXPECT_LT(on, off);
+    EXPECT_LT(off, end);
+    EXPECT_LT(text.rfind("\nTRAFOOF\n"), off) << "the tip needs the length";
+    EXPECT_FALSE(std::regex_search(text.substr(off), std::regex("[XYZ][-0-9]"))) << "no move is made without the length";
+  }
 }
 
 TEST(ProgramDialects, NumbersDoNotDependOnTheLocale)

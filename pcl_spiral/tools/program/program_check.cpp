@@ -45,6 +45,22 @@ checkOffset(const ProgramJob& program, const std::vector<std::string>& outputs)
         throw UsageError("-o " + output + ": --work-offset " + readableText(offset) + " " + fault);
 }
 
+/** What only some outputs hold must not be asked for without one of them. */
+void
+checkWords(const std::vector<std::string>& outputs, const std::set<std::string>& given)
+{
+  const bool any_program = std::any_of(outputs.begin(), outputs.end(), isProgram);
+  const bool any_cldata = std::any_of(outputs.begin(), outputs.end(),
+                                      [](const std::string& output) { return isExchange(output) && extensionOf(output) != ".yaml"; });
+  for (const char* option : {"feed-mode", "work-offset", "smoothing", "line-numbers", "decimals"})
+    if (!any_program && given.count(option) > 0)
+      throw UsageError(std::string("--") + option + ": no output is a program; add an output such as -o part.ngc, or leave it out");
+  for (const char* option : {"coolant", "spindle", "spindle-direction", "tool"})
+    if (!any_program && !any_cldata && given.count(option) > 0)
+      throw UsageError(std::string("--") + option +
+                       ": no output is a program or CLDATA; add an output such as -o part.ngc or -o part.apt, or leave it out");
+}
+
 } // namespace
 
 bool
@@ -134,6 +150,7 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
   requireOption(header.line_step >= 0 && header.line_step <= 1000, "line-numbers", header.line_step, "must be 1 to 1000");
   requireOption(program.smoothing.value_or(0.0) >= 0.0, "smoothing", program.smoothing.value_or(0.0), "must not be below 0 mm");
   requireOption(header.decimals >= 3 && header.decimals <= 6, "decimals", header.decimals, "must be 3 to 6");
+  checkWords(outputs, given);
   checkOffset(program, outputs);
   checkCodes(header, std::any_of(outputs.begin(), outputs.end(), isProgram), given);
 }

@@ -8,7 +8,8 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 77> words{{
+constexpr std::array<std::pair<const char*, const char*>, 78> words{{
+    {"FeedMode", "--feed-mode inverse-time"},
     {"setFixedAxis", "--axis"},
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},

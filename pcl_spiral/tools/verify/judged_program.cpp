@@ -122,11 +122,12 @@ readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::strin
   program.passes = path.passes;
   for (const std::size_t block : path.blocks)
     program.lines.push_back(read.lines[block]);
-  if (const Status status = checkLimits(Kinematics(read.program.machine), read.program.blocks, read.lines); !status.ok())
+  if (const Status status = checkLimits(Kinematics(read.program.machine), read.program.blocks, read.lines); !status.ok()) {
     if (read.by_vectors)
       program.warnings.push_back("if the control turns the rotary axes the nearest way from home: " + status.message());
     else
       program.faults.push_back(status.message());
+  }
   if (read.still_line > 0)
     program.warnings.push_back(textOf("line ", read.still_line,
                                       ": the tool feeds with the spindle off: no M3 or M4 is before it, unless a "

@@ -60,7 +60,7 @@ faultOfHeader(Dialect dialect, const Machine& machine, const ProgramHeader& head
   const bool follows = dialect == Dialect::Fanuc || dialect == Dialect::FanucVectors || dialect == Dialect::Siemens;
   if (header.feed_mode == FeedMode::PerMinute && !machine.three_axes && !(follows && machine.rtcp))
     return std::string("a feed in mm/min of the tip needs ") + (follows ? "rtcp: true" : "fanuc, fanuc-ijk or siemens") +
-           "; take inverse time, the time of each block, instead";
+           "; take inverse time, the time of each block, instead (FeedMode)";
   return {};
 }
 

@@ -77,7 +77,12 @@ private:
     out_.endLine();
   }
 
-  void writeClosing() override { out_.line("M30"); }
+  void writeClosing() override
+  {
+    if (!program_.machine.retract_z)
+      out_.line("D0"); // the tool length ends here; a retract has it in its block
+    out_.line("M30");
+  }
 };
 
 } // namespace
