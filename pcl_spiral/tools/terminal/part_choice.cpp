@@ -163,7 +163,9 @@ echoesOf(const Surface& surface)
 void
 keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const StripChoice& strips, CutScan& from, RegionFigures& figures)
 {
-  const Surface::ConstPtr surface = surfaceOf(from.file, side, from.scan);
+  const Surface::ConstPtr surface = strips.surface && *strips.surface ? *strips.surface : surfaceOf(from.file, side, from.scan);
+  if (strips.surface)
+    *strips.surface = surface;
   region.setInputNormals(normalsOf(*surface, from.scan.cloud->size()));
   region.setToolRadius(tool.radius);
   region.setShank(shank_radii * tool.radius, tool.lean);

@@ -16,8 +16,9 @@
 
 /** Which strips are left uncut. */
 struct StripChoice {
-  double width = 0.0;           ///< point spacings: narrower ones; 0: none
-  std::vector<std::size_t> cut; ///< but not those with these numbers
+  double width = 0.0;                               ///< point spacings: narrower ones; 0: none
+  std::vector<std::size_t> cut;                     ///< but not those with these numbers
+  pcl_spiral::Surface::ConstPtr* surface = nullptr; ///< where the surface with the strips is kept from try to try; null: it is not kept
 };
 
 /** One strip. */

@@ -26,7 +26,8 @@ namespace {
 /** A refusal of the surface or of the generator. */
 class NoPath : public FileError {
 public:
-  using FileError::FileError;
+  NoPath(const std::string& file, const std::string& reason, bool is_late) : FileError(file, reason), late(is_late) {}
+  bool late; ///< after turns were made: as slow as a path
 };
 
 /** Sets which points of the scan are the part. */
@@ -39,14 +40,22 @@ setPart(const Job& job, const Result& result, Stage& stage)
   stage.setClusterHandling(job.part.clusters);
 }
 
+/** Whether turns were made before the generator of \p report ended. */
+bool
+madeTurns(const SpiralReport& report)
+{
+  return std::any_of(report.stages.begin(), report.stages.end(),
+                     [](const StageCost& stage) { return stage.name == "step-over field" || stage.name == "radial lines"; });
+}
+
 /** \throw NoPath, and what requireOk throws */
 void
-requirePath(const Job& job, const Status& status)
+requirePath(const Job& job, const Status& status, bool is_late = false)
 {
   if (status.ok() || status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::Cancelled || cancelled())
     requireOk(job, status);
   else
-    throw NoPath(job.scan, inWords(job, status.message()));
+    throw NoPath(job.scan, inWords(job, status.message()), is_late);
 }
 
 /** The surface of the samples of a mesh, or the one that planning, verification and the map of reach share. */
@@ -106,7 +115,7 @@ choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageC
   result.part = choosePart(job.part, job.scan, job.read, {job.settings.tool_radius, leanOf(job.settings)},
                            {result.side, job.settings.flip_normals, job.settings.threads}, result.scan, strips);
   if (strips.width > 0.0 && result.part.strips.empty())
-    throw NoPath(job.scan, "no strip beside a keep-out is that narrow"); // soon: the points are those that were refused
+    throw NoPath(job.scan, "no strip beside a keep-out is that narrow", false); // soon: the points are those that were refused
   if (job.part.cuts())
     result.side = sideOf(result.scan, fromScan(job.settings.view_point));
   clock.end("reading");
@@ -177,7 +186,8 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
   generator.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   generator.compute(*result.path);
   bar.clear();
-  requirePath(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus());
+  requirePath(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus(),
+              madeTurns(generator.getReport()));
   result.report = generator.getReport();
   checkWay(job, result);
   checkHolder(job, result);
@@ -194,44 +204,57 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
   return result;
 }
 
-/** The same; absent if there is none, or if no point is left. */
+/** The same; absent if there is none, or if no point is left. Adds to \p late if it failed late. */
 std::optional<Result>
-tried(const Job& job, const StripChoice& strips, ProgressBar& bar, const Result& input)
+tried(const Job& job, const StripChoice& strips, ProgressBar& bar, const Result& input, int& late)
 {
   try {
     return planned(job, strips, bar, input);
   }
+  catch (const NoPath& refusal) {
+    late += refusal.late ? 1 : 0;
+  }
   catch (const FileError&) {
-    return std::nullopt;
+    ++late; // the path that was found enters something
   }
-  catch (const UsageError&) {
-    return std::nullopt;
+  catch (const UsageError&) { // no point is left
   }
+  return std::nullopt;
 }
 
-/** The path over the whole region; if there is none, without the narrowest strips beside keep-outs, and no more of them than must be. */
+/** Cuts as many of the strips that \p result leaves uncut as can be. */
+Result
+withStrips(const Job& job, StripChoice strips, ProgressBar& bar, const Result& input, Result result)
+{
+  const std::size_t found = result.part.strips.size();
+  int late = 0;
+  for (std::size_t i = 0; i < found && result.part.strips.size() > 1; ++i) {
+    strips.cut.push_back(i);
+    if (std::optional<Result> with = tried(job, strips, bar, input, late))
+      result = std::move(*with);
+    else
+      strips.cut.pop_back();
+  }
+  return result;
+}
+
+/** The path over the whole region; if there is none, without the narrowest strips beside keep-outs, and no more of them than must be.
+ *  A try that fails soon costs a third of a path or less, so all of these are made. */
 Result
 plannedWithLeastUncut(const Job& job, ProgressBar& bar, const Result& input)
 {
+  constexpr int most_late = 2; // runs, so that a refusal takes about twice as long as a path
   try {
     return planned(job, {}, bar, input);
   }
-  catch (const NoPath&) {
+  catch (const NoPath& refusal) {
     if (job.part.keep_outs.empty())
       throw;
-    for (StripChoice strips{2.0, {}}; strips.width <= 5.0; strips.width += 1.0) {
-      std::optional<Result> result = tried(job, strips, bar, input);
-      const std::size_t found = result ? result->part.strips.size() : 0;
-      for (std::size_t i = 0; i < found && result->part.strips.size() > 1; ++i) {
-        strips.cut.push_back(i);
-        if (std::optional<Result> with = tried(job, strips, bar, input))
-          result = std::move(with);
-        else
-          strips.cut.pop_back();
-      }
-      if (result)
-        return std::move(*result);
-    }
+    Surface::ConstPtr surface;
+    int late = refusal.late ? 1 : 0;
+    for (StripChoice strips{2.0, {}, &surface}; strips.width <= 5.0 && late < most_late; strips.width += 1.0)
+      if (std::optional<Result> result = tried(job, strips, bar, input, late))
+        return withStrips(job, strips, bar, input, std::move(*result));
     throw;
   }
 }
