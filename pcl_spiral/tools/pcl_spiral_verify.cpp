@@ -100,7 +100,8 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, con
       judged.verification.broken.push_back(fault);
   constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   const double allowed = settings.chord_error + deviations * reference->noise();
-  for (const std::string& fault : faultsBeside(part, reference->scanned(), judged.path, settings, allowed))
+  for (const std::string& fault :
+       faultsBeside(part, reference->scanned(), judged.path, settings, allowed, judged.verification.removal.warnings))
     judged.verification.broken.push_back(fault);
   judged.verification.unproven = inOptions(unprovenLimits(job.limits, judged.verification));
   return judged;

@@ -213,6 +213,21 @@ TEST_F(BesideClamps, LessTiltIsARemedyOnlyWhereItHelps)
   }
 }
 
+TEST_F(BesideClamps, NoTiltIsNamedToAFixedAxis)
+{
+  const AlignedBox2d beside(Vector2d(57.0, -9.0), Vector2d(72.0, 7.0));
+  write({beside}, 14.0);
+  writePolygon("keep.txt", beside);
+  const RunResult into = run({"--axis", "0.8,0,1"});
+  EXPECT_EQ(into.code, 1);
+  EXPECT_NE(into.err.find("stands in the way"), std::string::npos) << into.err;
+  EXPECT_EQ(into.err.find("--tilt"), std::string::npos) << "the axis keeps it: " << into.err;
+  const RunResult kept_out = run({"--axis", "1,0,1", "--keep-out", "keep.txt"});
+  EXPECT_EQ(kept_out.code, 1);
+  EXPECT_NE(kept_out.err.find("into what stands in a keep-out"), std::string::npos) << kept_out.err;
+  EXPECT_EQ(kept_out.err.find("--tilt"), std::string::npos) << "the axis keeps it: " << kept_out.err;
+}
+
 TEST_F(BesideClamps, AStripIsLeftUncutOnlyWhereNoPathIsFoundWithItAndIsNamed)
 {
   constexpr double top = 12.0;
@@ -304,6 +319,33 @@ TEST_F(BesideClamps, SinglePointsAboveTheSurfaceAreNoThings)
   ASSERT_EQ(done.code, 0) << done.err;
   EXPECT_NE(done.err.find("single points off the surface near keep-outs were left out"), std::string::npos) << done.err;
   expectCapCut({clamp}, 2.0 * radius + 2.0);
+}
+
+TEST_F(BesideClamps, SinglePointsBesideACropAreNoThingsButAPinIs)
+{
+  const Arguments crop{"--crop", "-41,20,-41,41"};
+  const auto all = [](const Vector2d&) { return true; };
+  const auto judged = [&](const char* echo, int code) {
+    Arguments call{"scan.xyz", "a.csv", "--tool-radius", "4", "--crop", "-41,20,-41,41"};
+    const RunResult result = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, call, folder_), folder_);
+    EXPECT_EQ(result.code, code) << result.err;
+    EXPECT_NE((result.out + result.err).find(echo), std::string::npos) << result.out << result.err;
+  };
+  std::ostringstream echo, pin;
+  echo << (onCap(22.0, 0.3) + Vector3d(0.0, 0.0, 3.0)).transpose() << '\n';
+  writeCap(all, echo.str());
+  const RunResult done = run(crop);
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.err.find("only single points off the surface are there"), std::string::npos) << done.err;
+  expectCapCut({AlignedBox2d(Vector2d(26.0, -41.0), Vector2d(41.0, 41.0))}, 10.5);
+  judged("only single points off the surface are there", 0);
+  for (int i = 0; i < 9; ++i)
+    pin << (onCap(22.0, 0.3) + Vector3d(0.5 * (i % 3), 0.5 * (i / 3), 3.0)).transpose() << '\n';
+  writeCap(all, pin.str());
+  const RunResult refused = run(crop);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("1 thing stands in the way"), std::string::npos) << refused.err;
+  judged("beside the part that was chosen", 1); // the path of the scan without a pin
 }
 
 TEST_F(BesideClamps, AllSmallPartsAreListedOrCounted)

@@ -5,6 +5,11 @@
 
 #include <omp.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
+
 namespace pcl_spiral {
 
 std::vector<Eigen::Vector3f>
@@ -24,6 +29,21 @@ withoutEchoes(const std::vector<Eigen::Vector3f>& points, std::size_t largest)
   std::vector<Eigen::Vector3f> others;
   for (const auto i : kept)
     others.push_back(points[static_cast<std::size_t>(i)]);
+  return others;
+}
+
+std::vector<Eigen::Vector3f>
+withoutEchoes(const std::vector<Eigen::Vector3f>& points, const pcl::PointCloud<pcl::PointXYZ>& scan)
+{
+  std::vector<Eigen::Vector3f> all, others;
+  for (const pcl::PointXYZ& p : scan)
+    all.push_back(p.getVector3fMap());
+  std::set<std::array<float, 3>> solid;
+  for (const Eigen::Vector3f& p : withoutEchoes(all, largest_echo))
+    solid.insert({p.x(), p.y(), p.z()});
+  std::copy_if(points.begin(), points.end(), std::back_inserter(others), [&](const Eigen::Vector3f& p) {
+    return solid.count({p.x(), p.y(), p.z()}) > 0;
+  });
   return others;
 }
 

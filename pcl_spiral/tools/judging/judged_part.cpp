@@ -9,6 +9,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
+#include <pcl_spiral/verify/impl/false_echoes.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 
 #include <algorithm>
@@ -119,7 +120,7 @@ leanOf(const pcl::PointCloud<ToolpathPoint>& path)
 
 std::vector<std::string>
 faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
-             const JudgeSettings& settings, double allowed)
+             const JudgeSettings& settings, double allowed, std::vector<std::string>& warnings)
 {
   std::vector<std::string> faults;
   const char* cutter = isBall(settings.cutter) ? "ball" : "cutter";
@@ -131,17 +132,28 @@ faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointC
         entry = found;
   if (entry)
     faults.push_back(textOf("the ", cutter, " enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place)));
-  std::vector<Eigen::Vector3f> beside = part.chosen.beside;
+  std::vector<Eigen::Vector3f> others;
   for (std::size_t i = 0; !part.mesh && i < reference.leftOut().why.size(); ++i)
     if (reference.leftOut().why[i] == LeftOut::OtherPart)
-      beside.push_back(reference.leftOut().positions[i]);
-  const auto requireClear = [&](const std::vector<Eigen::Vector3f>& points, const char* where) {
+      others.push_back(reference.leftOut().positions[i]);
+  const auto cutInto = [&](const std::vector<Eigen::Vector3f>& points) {
     std::string words;
-    if (const auto cut = cutBeside(points, path, settings, words); cut && cut->depth > allowed)
-      faults.push_back(textOf(words, " cuts ", cut->depth, " mm into the scan at ", placeText(cut->place), where));
+    const auto cut = cutBeside(points, path, settings, words);
+    return cut && cut->depth > allowed ? textOf(words, " cuts ", cut->depth, " mm into the scan at ", placeText(cut->place)) : "";
   };
+  const auto requireClear = [&](const std::vector<Eigen::Vector3f>& points, const char* where) {
+    if (const std::string cut = cutInto(points); !cut.empty())
+      faults.push_back(cut + where);
+  };
+  const char* beside = ", beside the part that was chosen";
   requireClear(part.chosen.kept_out, ", where something stands in a keep-out");
-  requireClear(beside, ", beside the part that was chosen");
+  requireClear(others, beside);
+  if (const std::string cut = cutInto(part.chosen.beside); !cut.empty()) {
+    const std::size_t before = faults.size();
+    requireClear(withoutEchoes(part.chosen.beside, *part.whole), beside);
+    if (faults.size() == before)
+      warnings.push_back(cut + beside + ": only single points off the surface are there, usually false echoes");
+  }
   requireClear(reference.riddenPoints(), ", where a cluster of points stands on the part");
   return faults;
 }

@@ -39,7 +39,7 @@ double leanOf(const pcl::PointCloud<pcl_spiral::ToolpathPoint>& path);
 
 /** What is wrong where the path meets the limits of the part: its cutter enters a keep-out, or cuts into what stands there, into the scan
  *  beside, into the parts that \p reference leaves out, or into a cluster that stands on it. Empty: nothing. \p settings: cutter and tips.
- *  \p allowed: depth of a cut that counts as none, mm. */
+ *  \p allowed: depth of a cut that counts as none, mm. Adds to \p warnings where only false echoes beside the part are met. */
 std::vector<std::string> faultsBeside(const JudgedPart& part, const pcl_spiral::Surface& reference,
                                       const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
-                                      double allowed);
+                                      double allowed, std::vector<std::string>& warnings);

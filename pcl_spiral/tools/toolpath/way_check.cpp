@@ -6,6 +6,7 @@
 
 #include "verify/ball_way.h"
 #include "verify/things_in_the_way.h"
+#include <pcl_spiral/verify/impl/false_echoes.h>
 
 using namespace pcl_spiral;
 
@@ -21,36 +22,80 @@ upright(const pcl::PointCloud<ToolpathPoint>& path)
   return other;
 }
 
-} // namespace
-
-void
-checkWay(const Job& job, const Result& result)
+/** The remedy of less tilt, if the path has a tilt and \p isFree holds for the upright tool. */
+template <typename IsFree>
+std::string
+lessTilt(const Job& job, const Result& result, IsFree isFree)
 {
-  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
-  const double radius = job.settings.tool_radius, allowed = job.settings.chord_error + deviations * result.report.noise;
-  if (const auto entry = deepestEntry(*result.path, ballCentres(*result.path, radius), radius, result.part.keep_outs))
-    throw FileError(job.scan, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
-                                     ": enlarge the polygon there by that much (--keep-out)"));
-  if (const auto cut = deepestPoint(*result.path, radius, result.part.kept_out); cut && cut->depth > allowed)
-    throw FileError(job.scan, textOf("the shank, taken as ", shank_radii, " radii long, would cut ", cut->depth,
-                                     " mm into what stands in a keep-out, at ", placeText(cut->place),
-                                     ": enlarge the polygon there by that much (--keep-out), or tilt the tool less (--tilt)"));
-  std::vector<Eigen::Vector3f> beside = result.part.beside;
+  const SpiralSettings& s = job.settings;
+  if (s.fixed_axis || (s.tilt_angle == 0.0 && s.lead_angle == 0.0) || !isFree(upright(*result.path)))
+    return "";
+  const char* option = s.lead_angle == 0.0 ? "--tilt" : s.tilt_angle == 0.0 ? "--lead" : "--tilt, --lead";
+  return textOf(", or tilt the tool less (", option, "): upright, it hits nothing");
+}
+
+/** What the ball and its shank must not cut, with those \p beside the part of the points that were left out by their place. */
+std::vector<Eigen::Vector3f>
+standing(const Result& result, std::vector<Eigen::Vector3f> beside)
+{
   for (std::size_t i = 0; result.surface && !result.mesh && i < result.surface->leftOut().why.size(); ++i)
     if (result.surface->leftOut().why[i] == LeftOut::OtherPart)
       beside.push_back(result.surface->leftOut().positions[i]);
   if (result.surface)
     for (const Eigen::Vector3f& point : result.surface->riddenPoints())
       beside.push_back(point);
+  return beside;
+}
+
+/** Refuses what is in the way beside the part, and warns of single points there. */
+void
+checkBeside(const Job& job, double allowed, Result& result)
+{
   constexpr double link = 3.0; // spacings
-  const std::vector<ThingInTheWay> things = thingsInTheWay(*result.path, radius, beside, allowed, link * result.report.spacing);
+  const auto inTheWay = [&](const pcl::PointCloud<ToolpathPoint>& path, const std::vector<Eigen::Vector3f>& beside) {
+    return thingsInTheWay(path, job.settings.tool_radius, beside, allowed, link * result.report.spacing);
+  };
+  std::vector<Eigen::Vector3f> beside = standing(result, result.part.beside);
+  std::vector<ThingInTheWay> things = inTheWay(*result.path, beside);
   if (things.empty())
     return;
-  const bool only_shank =
-      job.settings.tilt_angle > 0.0 && thingsInTheWay(upright(*result.path), radius, beside, allowed, link * result.report.spacing).empty();
-  const std::string text = textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth,
-                                  " mm into the scan at ", placeText(things.front().place), ", beside the part that was chosen. ",
-                                  thingsText(things), ": keep out of each with a polygon that covers it (--keep-out)",
-                                  only_shank ? ", or tilt the tool less (--tilt): upright, it hits nothing" : "");
-  throw FileError(job.scan, withFilePlaces(text, job.read));
+  if (!result.part.beside.empty()) {
+    beside = standing(result, withoutEchoes(result.part.beside, *result.whole_scan));
+    const Eigen::Vector3d deepest = things.front().place;
+    things = inTheWay(*result.path, beside);
+    if (things.empty()) {
+      result.report.warnings.push_back(textOf("the ball or its shank cuts into the scan at ", placeText(deepest),
+                                              ", beside the part that was chosen: only single points off the surface are there, usually "
+                                              "false echoes"));
+      return;
+    }
+  }
+  const auto isFree = [&](const pcl::PointCloud<ToolpathPoint>& path) { return inTheWay(path, beside).empty(); };
+  throw FileError(job.scan, textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth,
+                                   " mm into the scan at ", placeText(things.front().place), ", beside the part that was chosen. ",
+                                   thingsText(things), ": keep out of each with a polygon that covers it (--keep-out)",
+                                   lessTilt(job, result, isFree)));
+}
+
+} // namespace
+
+void
+checkWay(const Job& job, Result& result)
+{
+  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
+  const double radius = job.settings.tool_radius, allowed = job.settings.chord_error + deviations * result.report.noise;
+  if (const auto entry = deepestEntry(*result.path, ballCentres(*result.path, radius), radius, result.part.keep_outs))
+    throw FileError(job.scan, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
+                                     ": enlarge the polygon there by that much (--keep-out)"));
+  const auto isFree = [&](const pcl::PointCloud<ToolpathPoint>& path) {
+    const auto cut = deepestPoint(path, radius, result.part.kept_out);
+    return !cut || cut->depth <= allowed;
+  };
+  if (!isFree(*result.path)) {
+    const BallEntry cut = *deepestPoint(*result.path, radius, result.part.kept_out);
+    throw FileError(job.scan, textOf("the shank, taken as ", shank_radii, " radii long, would cut ", cut.depth,
+                                     " mm into what stands in a keep-out, at ", placeText(cut.place),
+                                     ": enlarge the polygon there by that much (--keep-out)", lessTilt(job, result, isFree)));
+  }
+  checkBeside(job, allowed, result);
 }

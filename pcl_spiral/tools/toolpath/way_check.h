@@ -7,5 +7,6 @@
 #include "job.h"
 #include "outputs.h"
 
-/** \throw pcl_spiral::FileError if the ball enters a keep-out, or cuts into the scan beside it or beside the crop */
-void checkWay(const Job& job, const Result& result);
+/** Warns of single points beside the part in the way, which are taken for false echoes.
+ *  \throw pcl_spiral::FileError if the ball enters a keep-out, or cuts into the scan beside it or beside the crop */
+void checkWay(const Job& job, Result& result);

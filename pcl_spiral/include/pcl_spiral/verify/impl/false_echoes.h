@@ -4,6 +4,9 @@
  */
 #pragma once
 
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -17,5 +20,8 @@ constexpr std::size_t largest_echo = 3;
 /** The finite \p points without false echoes, in their order. False echoes are outliers in groups of at most \p largest points, see
  *  StrayRemoval. Returns all points if they form no surface. */
 std::vector<Eigen::Vector3f> withoutEchoes(const std::vector<Eigen::Vector3f>& points, std::size_t largest);
+
+/** The \p points of \p scan that are no false echoes among all of it, in their order; groups of at most largest_echo. */
+std::vector<Eigen::Vector3f> withoutEchoes(const std::vector<Eigen::Vector3f>& points, const pcl::PointCloud<pcl::PointXYZ>& scan);
 
 } // namespace pcl_spiral
