@@ -348,6 +348,40 @@ TEST_F(Part, CoordinatesAreThoseOfTheFile)
   EXPECT_NE(run(with({"--part-at", file_place[1].str()})).err.find("kept only the part nearest to"), std::string::npos);
 }
 
+TEST_F(Part, EveryPlaceInAMessageIsAlsoThatOfAFileInInches)
+{
+  constexpr double inch = 25.4;
+  const auto expectPlaces = [](const RunResult& result, int code) {
+    std::string said = result.err;
+    std::istringstream table(result.out); // of figures, mm; messages in it are broken limits
+    for (std::string line; std::getline(table, line);)
+      said += line.find("LIMIT") == 0 ? line + '\n' : "";
+    const std::string number = "([-0-9.e+]+)";
+    EXPECT_EQ(result.code, code) << said;
+    const std::regex place("\\(" + number + ", " + number + ", " + number + "\\)( \\(in the file " + number + "," + number + "," + number +
+                           "\\))?");
+    std::size_t places = 0;
+    for (std::sregex_iterator i(said.begin(), said.end(), place), end; i != end; ++i, ++places) {
+      ASSERT_TRUE((*i)[4].matched) << (*i)[0] << " in:\n" << said;
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(std::stod((*i)[1 + c]), inch * std::stod((*i)[5 + c]), 1e-6) << said;
+    }
+    EXPECT_GT(places, 0U) << said;
+  };
+  write(scene(true, true), {inch});
+  const Arguments units{"--units", "inch"}, at{"--units", "inch", "--part-at", text(Vector3d(-20.0, 0.0, -2.0) / inch, ",")};
+  expectPlaces(run(units), 1); // the separate parts
+  expectPlaces(run(at), 1);    // the clamp in the way
+  write(scene(false, false), {inch});
+  expectPlaces(run({"--units", "inch", "--crop", "500,600,0,10"}), 2);
+  ASSERT_EQ(run(units).code, 0);
+  expectPlaces(verify({"--units", "inch", "--keep-out", "keep.txt"}), 1);
+  expectPlaces(verify({"--units", "inch", "--max-deviation", "0"}), 1);
+  write(scene(true, false), {inch});
+  writeText(folder_.path("keep.txt"), "0.70 -0.04\n0.90 -0.04\n0.90 0.08\n0.70 0.08\n");
+  expectPlaces(run({"--units", "inch", "--keep-out", "keep.txt"}), 1); // too small for the clamp
+}
+
 TEST_F(Part, VerifyFindsAPathThroughAKeepOut)
 {
   write(scene(false, false));

@@ -39,7 +39,7 @@ void
 readMeshPart(const Job& job, Result& result)
 {
   const MeshFile file = readMesh(job.scan, job.read);
-  setScanShift(file.shift);
+  setScanFrame(file.shift, job.read);
   result.scan.warnings = inOptions(file.warnings);
   require(job.scan, SurfaceMesh::make(*file.mesh, job.mesh_settings, result.mesh));
   requireLargerThanCutter(job, *result.mesh);

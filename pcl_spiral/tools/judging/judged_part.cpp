@@ -27,7 +27,7 @@ meshPart(const std::string& file, const ReadOptions& read, const MeshChoice& mes
 {
   JudgedPart part;
   const MeshFile faces = readMesh(file, read);
-  setScanShift(faces.shift);
+  setScanFrame(faces.shift, read);
   part.warnings = inOptions(faces.warnings);
   if (const Status status = SurfaceMesh::make(*faces.mesh, mesh.settings, part.mesh); !status.ok())
     throw FileError(file, inOptions(status.message()));
@@ -93,7 +93,7 @@ readParts(const std::string& file, const ReadOptions& read, const std::optional<
   if (mesh)
     return {meshPart(file, read, *mesh)};
   const Scan scan = readCloud(file, read);
-  setScanShift(scan.shift);
+  setScanFrame(scan.shift, read);
   const std::optional<Eigen::Vector3d> view_point = fromScan(side.view_point);
   std::vector<JudgedPart> parts;
   for (const NamedRegion& region : regionsOf(asked.choice, asked.regions, read))

@@ -93,7 +93,7 @@ readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& c
 {
   bar.update(0.0, "reading " + job.scan);
   result.scan = readCloud(job.scan, job.read);
-  setScanShift(result.scan.shift);
+  setScanFrame(result.scan.shift, job.read);
   result.scan.warnings = inOptions(result.scan.warnings);
   result.whole_scan = result.scan.cloud;
   clock.end("reading");

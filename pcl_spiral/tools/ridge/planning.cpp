@@ -31,7 +31,7 @@ readLine(const Job& job, const std::string& file, Result& result)
   const bool first = job.scan.empty() && result.rail.empty(); // the files after it are read in its coordinates
   const Scan read = readCloud(file, first ? job.read : readAsScan(job.read));
   if (first)
-    setScanShift(read.shift);
+    setScanFrame(read.shift, job.read);
   for (const std::string& warning : read.warnings)
     if (file == job.rail || warning.find(" across; ") == std::string::npos) // a generator is usually small
       result.warnings.push_back(warning);

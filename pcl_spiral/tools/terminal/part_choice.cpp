@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <iterator>
 
 using namespace pcl_spiral;
@@ -51,12 +50,12 @@ boxOf(const std::string& crop, const ReadOptions& read)
 }
 
 std::string
-fileBox(const Scan& scan, const ReadOptions& read)
+boxText(const Scan& scan)
 {
   Eigen::AlignedBox3d box;
   for (const pcl::PointXYZ& p : *scan.cloud)
     if (pcl::isFinite(p))
-      box.extend(p.getVector3fMap().cast<double>() / millimetres(read.unit) + read.origin);
+      box.extend(p.getVector3fMap().cast<double>());
   return "from " + placeText(box.min()) + " to " + placeText(box.max());
 }
 
@@ -103,7 +102,6 @@ normalsOf(const Surface& surface, std::size_t size)
 struct CutScan {
   const PartChoice& choice;
   const std::string& file;
-  const ReadOptions& read;
   Scan& scan;
   ChosenPart& part; ///< with all keep-outs
 };
@@ -128,7 +126,7 @@ keepOnly(const pcl::Indices& kept, const pcl::Indices& echoes, CutScan& from)
   Scan& scan = from.scan;
   if (kept.empty())
     throw UsageError(from.file + ": no point is left after --crop" + (from.choice.region.empty() ? "" : ", --region") +
-                     " and --keep-out; the scan lies " + fileBox(scan, from.read) + ": give a larger crop" +
+                     " and --keep-out; the scan lies " + boxText(scan) + ": give a larger crop" +
                      (from.choice.region.empty() ? "" : " or region") + ", or smaller keep-outs");
   auto next = kept.begin();
   for (std::size_t i = 0; i < scan.cloud->size(); ++i) {
@@ -246,7 +244,7 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
     part.keep_outs.push_back(readPolygon(keep_out, read));
     region.addKeepOut(part.keep_outs.back());
   }
-  CutScan from{choice, file, read, scan, part};
+  CutScan from{choice, file, scan, part};
   keepOnly(selectedBy(region, from), {}, from); // first what stands there, which would disturb the normals beside it
   RegionFigures figures = region.getFigures();
   if (!choice.region.empty()) {
@@ -257,23 +255,4 @@ choosePart(const PartChoice& choice, const std::string& file, const ReadOptions&
     keepToolOut(region, tool, side, strips, from, figures);
   warnOfCuts(choice, figures, all, tool.radius, scan);
   return part;
-}
-
-std::string
-withFilePlaces(const std::string& message, const ReadOptions& asked)
-{
-  const ReadOptions read = readAsScan(asked);
-  if (read.unit == LengthUnit::Millimetre && read.origin.isZero())
-    return message;
-  std::string text = message;
-  for (const std::string before : {"mm2 at (", "from (", " to ("})
-    for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at)) {
-      at += before.size();
-      Eigen::Vector3d p;
-      if (std::sscanf(text.c_str() + at, "%lf, %lf, %lf", &p.x(), &p.y(), &p.z()) != 3)
-        continue;
-      p = p / millimetres(read.unit) + read.origin;
-      text.insert(text.find(')', at) + 1, formatted(" (in the file %.10g,%.10g,%.10g)", p.x(), p.y(), p.z()));
-    }
-  return text;
 }

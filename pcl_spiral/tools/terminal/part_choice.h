@@ -79,7 +79,3 @@ struct PartSide {
  *  \throw pcl_spiral::FileError, UsageError */
 ChosenPart choosePart(const PartChoice& choice, const std::string& file, const pcl_spiral::ReadOptions& read, const PartTool& tool,
                       const PartSide& side, pcl_spiral::Scan& scan, const StripChoice& strips = {});
-
-/** \p message with the places of parts ("mm2 at (1, 2, 3)") and the ends of extents ("from (1, 2, 3) to (4, 5, 6)") also in the
- *  coordinates of the file, if these are others. */
-std::string withFilePlaces(const std::string& message, const pcl_spiral::ReadOptions& read);

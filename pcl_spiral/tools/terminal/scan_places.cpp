@@ -20,6 +20,24 @@ const char* const view_point_help = "position of the scanner, in the scan's coor
 namespace {
 
 Eigen::Vector3d run_shift = Eigen::Vector3d::Zero(); ///< of the one scan of this process
+ReadOptions run_read;                                ///< how it was read, without the shift
+
+/** Whether messages have each place also as the file has it. */
+bool
+hasFilePlaces()
+{
+  return run_read.unit != LengthUnit::Millimetre || !run_read.origin.isZero();
+}
+
+/** " (in the file 1,2,3)" for a place of the scan, if the file has other coordinates. */
+std::string
+filePlace(const Eigen::Vector3d& place)
+{
+  if (!hasFilePlaces())
+    return "";
+  const Eigen::Vector3d p = place / millimetres(run_read.unit) + run_read.origin;
+  return formatted(" (in the file %.10g,%.10g,%.10g)", p.x(), p.y(), p.z());
+}
 
 /** Whether a place in brackets that follows \p before is a direction: "the tool axis (0, 0, 1)", "the planes' normal is (1, 0, 0)". */
 bool
@@ -82,9 +100,10 @@ originOption(ReadOptions& read)
 }
 
 void
-setScanShift(const Eigen::Vector3d& shift)
+setScanFrame(const Eigen::Vector3d& shift, const ReadOptions& asked)
 {
   run_shift = shift;
+  run_read = asked;
 }
 
 const Eigen::Vector3d&
@@ -122,12 +141,12 @@ inScan(const Eigen::Vector3d& place)
 std::string
 inScan(std::string message)
 {
-  if (run_shift.isZero())
+  if (run_shift.isZero() && !hasFilePlaces())
     return message;
   std::size_t end = 0;
   for (std::size_t at = message.find('('); at != std::string::npos; at = message.find('(', at + 1))
     if (const auto place = placeAt(message, at, end); place && !namesDirection(message.substr(0, at))) {
-      const std::string moved = placeText(inScan(*place));
+      const std::string moved = placeText(inScan(*place)) + filePlace(inScan(*place));
       message.replace(at, end - at, moved);
       at += moved.size() - 1;
     }
@@ -148,6 +167,7 @@ inScan(std::vector<std::string> messages)
 SpiralReport
 inScan(SpiralReport report)
 {
+  report.warnings = inScan(std::move(report.warnings));
   if (run_shift.isZero())
     return report;
   for (Eigen::Vector3d* place : {&report.centre, &report.sharpest_place, &report.closest_place})
@@ -160,25 +180,24 @@ inScan(SpiralReport report)
   for (BoundaryLoop& loop : report.loops)
     for (Eigen::Vector3d& place : loop.curve)
       place = inScan(place);
-  report.warnings = inScan(std::move(report.warnings));
   return report;
 }
 
 Verification
 inScan(Verification v)
 {
-  if (run_shift.isZero())
-    return v;
   DeviationFigures& d = v.deviation;
   RemovalFigures& r = v.removal;
+  for (std::vector<std::string>* messages : {&d.warnings, &r.warnings, &v.broken, &v.unproven})
+    *messages = inScan(std::move(*messages));
+  if (run_shift.isZero())
+    return v;
   for (PlacedValue* value :
        {&d.max, &d.rim_max, &d.gap_max, &d.crease_max, &d.normal_error, &d.first_opposed, &d.first_inward, &d.wobble.max, &d.motion.gap,
         &d.motion.turn, &d.motion.axis_change, &d.motion.normal_change, &d.lift_max, &r.gouge, &r.rim_gouge, &r.crease_gouge, &v.tip_error})
     value->position = inScan(value->position);
   for (StockFigures* figures : {&r.stock, &r.scallop, &r.rim, &r.unreached, &r.crease})
     moveBack(*figures);
-  for (std::vector<std::string>* messages : {&d.warnings, &r.warnings, &v.broken, &v.unproven})
-    *messages = inScan(std::move(*messages));
   return v;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Places in the coordinates of the scan file, for a run whose scan was shifted (see pcl_spiral::Scan::shift).
+ *  Places in the coordinates of the scan file, for a run whose scan was shifted (see pcl_spiral::Scan::shift) or has another unit.
  *
- *  Everything between reading and writing is in shifted coordinates. Places of options are shifted after reading (fromScan); places
- *  in messages, summaries and reports are shifted back where they are shown (inScan).
+ *  Everything between reading and writing is in shifted coordinates, mm. Places of options are shifted after reading (fromScan); places
+ *  in messages, summaries and reports are shifted back where they are shown (inScan). Messages also have them as the file has them, if
+ *  it has another unit or a given origin.
  */
 #pragma once
 
@@ -33,8 +34,8 @@ extern const char* const origin_help;
 extern const char* const units_help;
 extern const char* const view_point_help;
 
-/** Sets the shift of the run, mm, as soon as the scan is read. */
-void setScanShift(const Eigen::Vector3d& shift);
+/** Sets the shift of the run, mm, and how its scan was read, as soon as it is. */
+void setScanFrame(const Eigen::Vector3d& shift, const pcl_spiral::ReadOptions& asked);
 /** Zero if nothing was shifted. */
 const Eigen::Vector3d& scanShift();
 
@@ -45,7 +46,8 @@ pcl_spiral::ReadOptions readAsScan(pcl_spiral::ReadOptions read);
 Eigen::Vector3d fromScan(const Eigen::Vector3d& place);
 std::optional<Eigen::Vector3d> fromScan(const std::optional<Eigen::Vector3d>& place);
 
-/** The reverse. Of a message: every place that placeText has written; directions stay. Of reports: every place, and the warnings.
+/** The reverse. Of a message: every place that placeText has written, " (in the file 1,2,3)" behind it if the file has other coordinates
+ *  than mm in the scan; directions stay. Of reports: every place, and the warnings.
  *  @{ */
 Eigen::Vector3d inScan(const Eigen::Vector3d& place);
 std::string inScan(std::string message);

@@ -44,7 +44,7 @@ inMesh(std::string message)
 std::string
 inWords(const Job& job, const std::string& message)
 {
-  return withFilePlaces(inOptions(job.mesh ? inMesh(message) : message), job.read);
+  return inOptions(job.mesh ? inMesh(message) : message);
 }
 
 void

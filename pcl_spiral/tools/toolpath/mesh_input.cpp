@@ -115,7 +115,7 @@ readMeshSamples(const Job& job, ProgressBar& bar, Result& result)
 {
   MeshFile file = readMesh(job.scan, job.read);
   result.scan.shift = file.shift;
-  setScanShift(file.shift);
+  setScanFrame(file.shift, job.read);
   result.scan.warnings = inOptions(std::move(file.warnings));
   if (!bar.update(0.05, "mesh"))
     throw Cancelled();

@@ -92,7 +92,7 @@ readInput(const Job& job, ProgressBar& bar, Result& result)
     readMeshSamples(job, bar, result);
   else {
     result.scan = readCloud(job.scan, job.read);
-    setScanShift(result.scan.shift);
+    setScanFrame(result.scan.shift, job.read);
     result.scan.warnings = inOptions(result.scan.warnings);
     result.side = sideOf(result.scan, fromScan(job.settings.view_point));
   }
@@ -200,7 +200,7 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
     result.report.passes += result.surface->counts().passes;
   result.report.stages.insert(result.report.stages.begin(), stages.begin(), stages.end());
   for (const UncutStrip& strip : result.part.strips)
-    result.report.warnings.push_back(withFilePlaces(stripText(strip), job.read));
+    result.report.warnings.push_back(stripText(strip));
   return result;
 }
 
