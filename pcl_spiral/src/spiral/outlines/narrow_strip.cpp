@@ -6,43 +6,44 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace pcl_spiral {
 namespace {
 
-/** The strip of surface between an outline and the others. */
-struct NarrowStrip {
-  double width = 0.0;    ///< least, mm
-  Eigen::Vector3d place; ///< in the middle there
-  Eigen::AlignedBox3d box;
+/** Places on an outline and on another one, side by side. */
+struct Pair {
+  Eigen::Vector3d first, second;
+  double distance() const { return (first - second).norm(); }
 };
 
-/** The strip narrower than \p width about its narrowest place; \p found: whether there is one. */
-NarrowStrip
-narrowestStrip(const std::vector<BoundaryLoop>& outlines, std::size_t of, double width, bool& found)
+/** The pairs of \p outlines[of] with the others that are nearer than \p width, mm. */
+std::vector<Pair>
+nearPairs(const std::vector<BoundaryLoop>& outlines, std::size_t of, double width)
 {
-  NarrowStrip strip;
-  strip.width = width;
-  std::vector<Eigen::Vector3f> sides; // places on both sides, in pairs
-  std::size_t narrowest = 0;
+  std::vector<Pair> pairs;
   for (std::size_t o = 0; o < outlines.size(); ++o)
     for (const Eigen::Vector3d& p : o == of ? Polyline() : outlines[o].curve)
-      for (const Eigen::Vector3d& q : outlines[of].curve) {
-        const double distance = (p - q).norm();
-        if (distance >= width)
-          continue;
-        if (distance < strip.width) {
-          strip.width = distance;
-          strip.place = 0.5 * (p + q);
-          narrowest = sides.size();
-        }
-        sides.insert(sides.end(), {p.cast<float>(), q.cast<float>()});
-      }
-  found = !sides.empty();
-  const std::vector<std::uint32_t> group = pointGroups(sides, width);
-  for (std::size_t i = 0; i < sides.size(); ++i)
-    if (group[i] == group[narrowest])
-      strip.box.extend(sides[i].cast<double>());
-  return strip;
+      for (const Eigen::Vector3d& q : outlines[of].curve)
+        if (const Pair pair{p, q}; pair.distance() < width)
+          pairs.push_back(pair);
+  return pairs;
+}
+
+/** The box about the pairs nearer than \p width that are joined to \p narrowest. */
+Eigen::AlignedBox3d
+boxAbout(const Pair& narrowest, const std::vector<Pair>& pairs, double width)
+{
+  std::vector<Eigen::Vector3f> places{narrowest.first.cast<float>()};
+  for (const Pair& pair : pairs)
+    if (pair.distance() < width)
+      places.insert(places.end(), {pair.first.cast<float>(), pair.second.cast<float>()});
+  const std::vector<std::uint32_t> group = pointGroups(places, width);
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (group[i] == group.front())
+      box.extend(places[i].cast<double>());
+  return box;
 }
 
 } // namespace
@@ -50,16 +51,20 @@ narrowestStrip(const std::vector<BoundaryLoop>& outlines, std::size_t of, double
 Status
 refuseNarrowStrip(const std::vector<BoundaryLoop>& outlines, std::size_t of, double spacing)
 {
-  constexpr double narrowest = 5.0; // spacings
-  bool found = false;
-  const NarrowStrip strip = narrowestStrip(outlines, of, narrowest * spacing, found);
-  if (!found)
+  constexpr double search = 8.0, narrow = 5.0; // spacings; points of a random scan leave breaks across a strip that is wider than narrow
+  constexpr double wider = 1.25;               // of the least width: still the same strip
+  const std::vector<Pair> pairs = nearPairs(outlines, of, search * spacing);
+  if (pairs.empty())
     return Status::success();
+  const Pair narrowest =
+      *std::min_element(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance() < b.distance(); });
+  const double width = narrowest.distance();
+  const Eigen::AlignedBox3d box = boxAbout(narrowest, pairs, std::max(narrow * spacing, wider * width));
   return {StatusCode::Failed,
-          textOf("the surface between two outlines is only ", strip.width, " mm wide at ", placeText(strip.place),
+          textOf("the surface between two outlines is only ", width, " mm wide at ", placeText(0.5 * (narrowest.first + narrowest.second)),
                  ", too narrow for points ", spacing,
                  " mm apart: scan it again, more densely, keep the cutter out of there with a polygon that covers the narrow strip, from ",
-                 placeText(strip.box.min()), " to ", placeText(strip.box.max()), " (addKeepOut), or choose the radial method (setMethod)")};
+                 placeText(box.min()), " to ", placeText(box.max()), " (addKeepOut), or choose the radial method (setMethod)")};
 }
 
 } // namespace pcl_spiral

@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** Refuses \p outlines[of], with the place, if the strip of surface between it and another outline is narrower than five of the
+/** Refuses \p outlines[of], with the place, if the strip of surface between it and another outline is narrower than eight of the
  *  \p spacing of the points, mm. */
 Status refuseNarrowStrip(const std::vector<BoundaryLoop>& outlines, std::size_t of, double spacing);
 
