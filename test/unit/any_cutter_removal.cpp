@@ -45,7 +45,7 @@ wayOf(const CheckedPath& contacts, const CutterShape& cutter, double lean)
 
 pcl_spiral::RemovalFigures
 measured(const AnalyticSurface& surface, const CutterWay& way, const CutterShape& cutter, std::size_t points,
-         pcl::PointCloud<pcl::PointXYZI>& stock)
+         pcl::PointCloud<pcl::PointXYZI>& stock, int threads = 0)
 {
   const auto path = toolpath(way.contacts);
   for (std::size_t i = 0; i < path->size(); ++i)
@@ -57,6 +57,7 @@ measured(const AnalyticSurface& surface, const CutterWay& way, const CutterShape
   removal.setCutter(cutter);
   removal.setScallopHeight(h);
   removal.setChordError(0.0);
+  removal.setNumberOfThreads(threads);
   removal.compute(stock);
   EXPECT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
   return removal.getFigures();
@@ -188,6 +189,27 @@ TEST(AnyCutterRemoval, TipsFollowFromTheContactsWhereNoneAreGiven)
   ASSERT_EQ(given.size(), found.size());
   for (std::size_t i = 0; i < given.size(); ++i)
     ASSERT_NEAR(given[i].intensity, found[i].intensity, 1e-5);
+}
+
+TEST(AnyCutterRemoval, TheNumberOfThreadsChangesNothing)
+{
+  const SurfacePtr surface = dome();
+  const CutterShape cutter = CutterShape::bullNose(6.0, 1.5);
+  const CutterWay way = wayOf(straightPasses(*surface, columns(-13.0, 1.0, 27), 14.0, 0.7), cutter, 12.0);
+  pcl::PointCloud<pcl::PointXYZI> one, other;
+  const auto figures = measured(*surface, way, cutter, 3000, one, 1);
+  for (const int threads : {2, 3}) {
+    const auto f = measured(*surface, way, cutter, 3000, other, threads);
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i)
+      ASSERT_TRUE(one[i].intensity == other[i].intensity || std::isnan(one[i].intensity)) << threads << ' ' << i;
+    EXPECT_EQ(f.scallop.max.value, figures.scallop.max.value);
+    EXPECT_EQ(f.scallop.max.position, figures.scallop.max.position);
+    EXPECT_EQ(f.scallop.max.index, figures.scallop.max.index);
+    EXPECT_EQ(f.scallop.p50, figures.scallop.p50);
+    EXPECT_EQ(f.gouge.value, figures.gouge.value);
+    EXPECT_EQ(f.gouge.index, figures.gouge.index);
+  }
 }
 
 TEST(AnyCutterRemoval, WhatCannotBePlacedIsRefused)

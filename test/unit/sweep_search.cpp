@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <vector>
 
 using namespace pcl_spiral;
@@ -68,6 +67,18 @@ nearWay(Random& random, const Way& way, double radius, Eigen::Vector3d& x, Eigen
   n = (way.axes[i] + 0.3 * randomVector(random, 1.0)).normalized();
 }
 
+/** Counts the moves that a search tries. */
+class CountingSweep : public ProfileSweep {
+public:
+  using ProfileSweep::ProfileSweep;
+  bool enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const override
+  {
+    ++tried;
+    return ProfileSweep::enter(move, x, n, start, t);
+  }
+  mutable std::size_t tried = 0;
+};
+
 } // namespace
 
 TEST(SweepSearch, FindsWhatTryingEveryMoveFinds)
@@ -113,28 +124,32 @@ TEST(SweepSearch, FindsWhatTryingEveryMoveFinds)
 
 TEST(SweepSearch, TestsFewMovesOfALongPath)
 {
-  // Rows of a bull-nose on a dome: what a query costs must not grow with the path.
-  const CutterShape cutter = CutterShape::bullNose(3.0, 1.0, 20.0);
-  const auto seconds = [&](int count) {
+  // Rows of a bull-nose that leans to their side on a dome: what a query costs must not grow with the path.
+  const CutterShape cutter = CutterShape::bullNose(10.0, 2.0);
+  constexpr double dome = 300.0, lean = 0.26, step = 2.0;
+  const auto triedPerQuery = [&](int count) {
     Way way;
+    std::vector<Eigen::Vector3d> places, normals;
     for (int row = 0; row < count; ++row)
       for (int k = 0; k < count; ++k) {
-        const Eigen::Vector2d place(row % 2 == 0 ? k : count - 1 - k, row);
-        const Eigen::Vector3d n = Eigen::Vector3d(place.x() - 0.5 * count, place.y() - 0.5 * count, 3.0 * count).normalized();
-        way.tips.push_back(3.0 * count * n);
-        way.axes.push_back(n);
+        const double u = step * ((row % 2 == 0 ? k : count - 1 - k) - 0.5 * count) / dome, v = step * (row - 0.5 * count) / dome;
+        normals.push_back(Eigen::Vector3d(std::tan(u), std::tan(v), 1.0).normalized());
+        places.push_back(dome * normals.back());
+        way.axes.push_back(Eigen::AngleAxisd(lean, Eigen::Vector3d::UnitX()) * normals.back());
+        way.tips.push_back(CutterProfile(cutter).locate(places.back(), normals.back(), way.axes.back()).tip);
       }
-    const ProfileSweep sweep(cutter, way.tips, way.axes);
-    const auto begin = std::clock();
-    for (std::size_t k = 0; k < 20000; ++k) {
-      const std::size_t i = k * 7919 % way.tips.size();
+    const CountingSweep sweep(cutter, way.tips, way.axes);
+    constexpr std::size_t queries = 4000;
+    for (std::size_t k = 0; k < queries; ++k) {
+      const std::size_t i = k * 7919 % places.size();
       Stock stock;
       stock.height = 1.0;
-      sweep.enterAny(way.tips[i] + 0.4 * way.axes[i].unitOrthogonal(), way.axes[i], 0.01, stock);
+      sweep.enterAny(places[i] + 0.4 * step * normals[i].unitOrthogonal(), normals[i], 0.01, stock);
       EXPECT_TRUE(stock.met);
     }
-    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    return static_cast<double>(sweep.tried) / queries;
   };
-  const double small = seconds(60), large = seconds(480); // 64 times as many moves
-  EXPECT_LT(large, 8.0 * small) << small << ' ' << large;
+  const double small = triedPerQuery(30), large = triedPerQuery(240); // 64 times as many moves
+  EXPECT_LT(small, 40.0);
+  EXPECT_LT(large, 40.0) << small;
 }

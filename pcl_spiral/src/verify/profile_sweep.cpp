@@ -43,10 +43,10 @@ struct ProfileSweep::Depth {
   Eigen::Vector3d normal(const Eigen::Vector3d& w, const Eigen::Vector3d& axis) const { return outward * (w - z * axis) + along * axis; }
 };
 
-/** A part of a move with a small turn of the axis. */
+/** A part of a move. */
 struct ProfileSweep::Piece {
   Eigen::Vector3d tip, way, axis, turn; ///< at the share 0; what is added up to the share 1
-  bool turns;                           ///< whether turn is not zero
+  double angle;                         ///< by which the axis turns, radians
 };
 
 ProfileSweep::ProfileSweep(const CutterShape& cutter, Polyline tips, std::vector<Eigen::Vector3d> axes,
@@ -58,35 +58,29 @@ ProfileSweep::ProfileSweep(const CutterShape& cutter, Polyline tips, std::vector
 
 ProfileSweep::~ProfileSweep() = default;
 
-/** How far the depth on a move is from a concave function, mm: a point of the cutter moves on an arc, and the way of the tip turns against
- *  the axis. */
-double
-ProfileSweep::bow(std::size_t move) const
+ProfileSweep::Piece
+ProfileSweep::whole(std::size_t move) const
 {
-  if (axes_[move] == axes_[move + 1])
-    return 0.0;
-  const double turn = (axes_[move + 1] - axes_[move]).norm(), way = (tips_[move + 1] - tips_[move]).norm();
-  return turn * (2.0 * way + height_ * turn) / 8.0;
-}
-
-std::size_t
-ProfileSweep::pieces(std::size_t move) const
-{
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(bow(move) / least_bow))));
+  const Eigen::Vector3d turn = axes_[move + 1] - axes_[move];
+  return {tips_[move], tips_[move + 1] - tips_[move], axes_[move], turn, 2.0 * std::asin(std::min(1.0, 0.5 * turn.norm()))};
 }
 
 ProfileSweep::Piece
-ProfileSweep::piece(std::size_t move, std::size_t number, std::size_t count) const
+ProfileSweep::half(const Piece& piece, bool second) const
 {
-  if (count == 1) // the whole move
-    return {tips_[move], tips_[move + 1] - tips_[move], axes_[move], axes_[move + 1] - axes_[move], axes_[move] != axes_[move + 1]};
-  const auto place = [&](std::size_t end) {
-    const double f = static_cast<double>(end) / static_cast<double>(count);
-    return std::pair(Eigen::Vector3d((1.0 - f) * tips_[move] + f * tips_[move + 1]), arcBetween(axes_[move], axes_[move + 1], f));
-  };
-  const auto [tip, axis] = place(number);
-  const auto [end_tip, end_axis] = place(number + 1);
-  return {tip, end_tip - tip, axis, end_axis - axis, true};
+  const Eigen::Vector3d end = piece.axis + piece.turn, sum = piece.axis + end, way = 0.5 * piece.way;
+  const Eigen::Vector3d middle = sum.norm() > 1e-9 ? Eigen::Vector3d(sum.normalized()) : piece.axis;
+  if (second)
+    return {piece.tip + way, way, middle, end - middle, 0.5 * piece.angle};
+  return {piece.tip, way, piece.axis, middle - piece.axis, 0.5 * piece.angle};
+}
+
+/** How far the depth on a piece is from a concave function, mm: a point of the cutter moves on an arc, and the way of the tip turns
+ *  against the axis. Half of the piece has a quarter of it. */
+double
+ProfileSweep::bow(const Piece& piece) const
+{
+  return piece.angle > 0.0 ? piece.angle * (2.0 * piece.way.norm() + height_ * piece.angle) / 8.0 : 0.0;
 }
 
 /** Depth of a place at \p w from the tip. */
@@ -104,11 +98,12 @@ Tangent
 ProfileSweep::depthAt(const Piece& piece, double f, const Eigen::Vector3d& x, const Eigen::Vector3d& n) const
 {
   const Eigen::Vector3d w = x - piece.tip - f * piece.way;
-  const Eigen::Vector3d axis = piece.turns ? Eigen::Vector3d((piece.axis + f * piece.turn).normalized()) : piece.axis;
+  const bool turns = piece.angle > 0.0;
+  const Eigen::Vector3d axis = turns ? Eigen::Vector3d((piece.axis + f * piece.turn).normalized()) : piece.axis;
   const Depth depth = depthOf(w, axis);
   const Eigen::Vector3d normal = depth.normal(w, axis);
   double over_move = normal.dot(piece.way);
-  if (piece.turns)
+  if (turns)
     over_move += (depth.outward * depth.z - depth.along) * (w.dot(piece.turn) - depth.z * axis.dot(piece.turn));
   return {depth.depth, over_move, -normal.dot(n)};
 }
@@ -166,39 +161,57 @@ ProfileSweep::enterPiece(const Piece& piece, const Eigen::Vector3d& x, const Eig
   return true;
 }
 
-/** Whether the whole move as one piece stays outside by more than its bow. */
-bool
-ProfileSweep::staysOutside(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double t) const
+/** Not less than the depth on \p piece of any place from x + t n down to \p range below. The depth is below its tangent plane at \p middle
+ *  but for the bow, for what the turn adds on the way down, and for its slope with the angle in place of the chord, which is less than
+ *  the bow again. */
+double
+ProfileSweep::highest(const Piece& piece, const Tangent& middle, double range) const
 {
-  const double least = -(t + start) - bow(move);
-  const Tangent end = deepest(piece(move, 0, 1), x + t * n, n, least);
-  return end.value <= least || (end.value <= -bow(move) && end.other >= 0.0);
+  return middle.value + 0.5 * std::abs(middle.slope) + std::max(0.0, -middle.other * range) + 2.0 * bow(piece) + 0.5 * piece.angle * range;
+}
+
+/** Halves the piece until the depth on it is about concave, and takes the more promising half first. */
+bool
+ProfileSweep::enterPart(const Piece& part, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const
+{
+  if (bow(part) <= least_bow)
+    return enterPiece(part, x, n, start, t);
+  const Tangent middle = depthAt(part, 0.5, x + t * n, n);
+  if (highest(part, middle, t + start) <= 0.0)
+    return false;
+  const bool second = middle.slope > 0.0, entered = enterPart(half(part, second), x, n, start, t);
+  return enterPart(half(part, !second), x, n, start, t) || entered;
 }
 
 bool
 ProfileSweep::enter(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const
 {
-  if (isLift(move) || -start >= t)
-    return false;
-  const std::size_t count = pieces(move);
-  bool entered = false;
-  if (count > 1 && staysOutside(move, x, n, start, t))
-    return false;
-  for (std::size_t i = 0; i < count; ++i)
-    entered = enterPiece(piece(move, i, count), x, n, start, t) || entered;
-  return entered;
+  return !isLift(move) && -start < t && enterPart(whole(move), x, n, start, t);
+}
+
+/** Raises \p most to the largest depth of \p x on the part. */
+void
+ProfileSweep::deepen(const Piece& part, const Eigen::Vector3d& x, double& most) const
+{
+  const Eigen::Vector3d any = Eigen::Vector3d::Zero();
+  if (bow(part) <= least_bow) {
+    most = std::max(most, deepest(part, x, any, -std::numeric_limits<double>::infinity()).value);
+    return;
+  }
+  const Tangent middle = depthAt(part, 0.5, x, any);
+  if (highest(part, middle, 0.0) <= most)
+    return;
+  const bool second = middle.slope > 0.0;
+  deepen(half(part, second), x, most);
+  deepen(half(part, !second), x, most);
 }
 
 double
 ProfileSweep::depth(std::size_t move, const Eigen::Vector3d& x) const
 {
-  constexpr double none = -std::numeric_limits<double>::infinity();
-  double most = none;
-  if (isLift(move))
-    return most;
-  const std::size_t count = pieces(move);
-  for (std::size_t i = 0; i < count; ++i)
-    most = std::max(most, deepest(piece(move, i, count), x, Eigen::Vector3d::Zero(), none).value);
+  double most = -std::numeric_limits<double>::infinity();
+  if (!isLift(move))
+    deepen(whole(move), x, most);
   return most;
 }
 
@@ -207,17 +220,17 @@ ProfileSweep::enterAny(const Eigen::Vector3d& x, const Eigen::Vector3d& n, doubl
 {
   const auto lower = [&](const SweptPlaces& places) {
     const double last = stock.height - settled;
-    return bound(places, x + last * n, -(last + start) * n) > 0.0;
+    return bound(places, x + last * n, -(last + start) * n);
   };
-  tree_->search(x, lower, [&](std::size_t move) { take(move, x, n, start, stock); });
+  tree_->search(lower, [&](std::size_t move) { take(move, x, n, start, stock); });
 }
 
 double
 ProfileSweep::deepest(const Eigen::Vector3d& x) const
 {
   double most = 0.0;
-  const auto deeper = [&](const SweptPlaces& places) { return bound(places, x, Eigen::Vector3d::Zero()) > most; };
-  tree_->search(x, deeper, [&](std::size_t move) { most = std::max(most, depth(move, x)); });
+  const auto deeper = [&](const SweptPlaces& places) { return bound(places, x, Eigen::Vector3d::Zero()) - most; };
+  tree_->search(deeper, [&](std::size_t move) { deepen(whole(move), x, most); });
   return most;
 }
 

@@ -23,12 +23,6 @@ struct SweptPlaces {
   double turn = 0.0;         ///< largest angle of an axis against the middle one, radians
   std::uint32_t first = 0;   ///< of a leaf: its first piece; else its first child, which the second follows
   std::uint32_t pieces = 0;  ///< of a leaf; 0: it has children
-
-  double squaredDistance(const Eigen::Vector3d& x) const
-  {
-    const Eigen::Vector3d off = sides.transpose() * (x - tip);
-    return (off.cwiseAbs() - half).cwiseMax(0.0).squaredNorm();
-  }
 };
 
 /** Moves of any cutter, halved repeatedly across the direction in which their tips spread most. Moves much longer than the mean are
@@ -39,28 +33,36 @@ public:
   /** One tip and one unit axis per point. Moves that end at one of \p passes are left out. */
   SweepTree(const Polyline& tips, const std::vector<Eigen::Vector3d>& axes, const std::vector<std::size_t>& passes);
 
-  /** Calls \p test(move) for every move in places that \p holds, those with the tips nearest to \p x first. \p holds may become stricter
-   *  during the search. A move may be passed twice. */
-  template <typename Holds, typename Test>
-  void search(const Eigen::Vector3d& x, const Holds& holds, const Test& test) const
+  /** Calls \p test(move) for every move in places of which \p bound is above 0, those with a higher bound first. \p bound may become less
+   *  with every test. A move may be passed twice. */
+  template <typename Bound, typename Test>
+  void search(const Bound& bound, const Test& test) const
   {
     if (nodes_.empty())
       return;
-    std::array<std::uint32_t, 64> stack;
-    std::size_t top = 0;
-    stack[top++] = 0;
+    struct Entry {
+      std::uint32_t node;
+      double bound;
+      std::size_t tested; ///< moves, when the bound was found
+    };
+    std::array<Entry, 64> stack;
+    std::size_t top = 0, tested = 0;
+    const auto entry = [&](std::uint32_t node) { return Entry{node, bound(nodes_[node]), tested}; };
+    stack[top++] = entry(0);
     while (top > 0) {
-      const SweptPlaces& places = nodes_[stack[--top]];
-      if (!holds(places))
+      const Entry last = stack[--top];
+      if (last.bound <= 0.0 || (last.tested < tested && bound(nodes_[last.node]) <= 0.0))
         continue;
+      const SweptPlaces& places = nodes_[last.node];
       if (places.pieces > 0) {
-        for (std::uint32_t i = places.first; i < places.first + places.pieces; ++i)
+        for (std::uint32_t i = places.first; i < places.first + places.pieces; ++i, ++tested)
           test(static_cast<std::size_t>(moves_[i]));
         continue;
       }
-      const bool swapped = nodes_[places.first + 1].squaredDistance(x) < nodes_[places.first].squaredDistance(x);
-      stack[top++] = swapped ? places.first : places.first + 1;
-      stack[top++] = swapped ? places.first + 1 : places.first;
+      const Entry first = entry(places.first), second = entry(places.first + 1);
+      const bool swapped = second.bound > first.bound;
+      stack[top++] = swapped ? first : second;
+      stack[top++] = swapped ? second : first;
     }
   }
 

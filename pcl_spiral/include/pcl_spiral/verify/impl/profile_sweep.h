@@ -25,8 +25,9 @@ struct Tangent;
  *  of the flank, whichever is higher. On a move, the tip moves on a straight line and the axis turns evenly.
  *
  *  At each place the cutter is convex, and so is what a move without a turn of the axis sweeps: depths are then concave over the
- *  move and along a ray, and are found by their tangents. Moves on which the axis turns are cut into pieces; there the
- *  depth is known to half a micrometre. */
+ *  move and along a ray, and are found by their tangents. Moves on which the axis turns are halved where they may be entered until
+ *  depths on a piece are about concave; there the depth is known to half a micrometre. A ray of many millimetres that grazes a move with
+ *  a strong turn may enter it a little earlier. */
 class ProfileSweep : public CutterSweep {
 public:
   /** One tip and one unit axis per point. \p passes: points to which the cutter is lifted. */
@@ -45,14 +46,16 @@ private:
   struct Depth;
   Depth depthOf(const Eigen::Vector3d& w, const Eigen::Vector3d& axis) const;
   double bound(const SweptPlaces& places, const Eigen::Vector3d& x, const Eigen::Vector3d& down) const;
-  double bow(std::size_t move) const;
-  std::size_t pieces(std::size_t move) const;
-  Piece piece(std::size_t move, std::size_t number, std::size_t count) const;
+  Piece whole(std::size_t move) const;
+  Piece half(const Piece& piece, bool second) const;
+  double bow(const Piece& piece) const;
   Tangent depthAt(const Piece& piece, double f, const Eigen::Vector3d& x, const Eigen::Vector3d& n) const;
   Tangent deepest(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double least) const;
   double firstInside(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double low, double high) const;
-  bool staysOutside(std::size_t move, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double t) const;
+  double highest(const Piece& piece, const Tangent& middle, double range) const;
   bool enterPiece(const Piece& piece, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const;
+  bool enterPart(const Piece& part, const Eigen::Vector3d& x, const Eigen::Vector3d& n, double start, double& t) const;
+  void deepen(const Piece& part, const Eigen::Vector3d& x, double& most) const;
 
   ProfileDepth profile_;
   double height_;
