@@ -110,12 +110,10 @@ makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>& loops
     for (const BoundaryLoop& loop : loops)
       if (loop.type == type)
         outlines.push_back(loop);
-  if (progress && !progress(0.0, "step-over field"))
-    return {StatusCode::Cancelled, "cancelled"};
   StepOverOptions options;
   options.tool_radius = settings.tool_radius;
   options.scallop_height = settings.scallop_height;
-  return measureStepOvers(surface, outlines, options, field);
+  return measureStepOvers(surface, outlines, options, field, progress);
 }
 
 Status

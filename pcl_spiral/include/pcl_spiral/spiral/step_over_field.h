@@ -26,9 +26,9 @@ struct StepOverDistance {
   double usual_edge = 0.0;           ///< median edge of the mesh before it was refined, in step-overs
 };
 
-/** D on \p surface between \p outlines, those of its rim and holes. */
+/** D on \p surface between \p outlines, those of its rim and holes. \p progress: called with the share done; false cancels. */
 Status measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options,
-                        StepOverDistance& field);
+                        StepOverDistance& field, const ProgressCallback& progress = {});
 
 /** Ok, or an error if \p field is empty or its arrays do not fit together: for the user's own fields. */
 Status checkField(const StepOverDistance& field);

@@ -116,9 +116,15 @@ leastLength(const StepOverMesh& mesh, double reserve)
 } // namespace
 
 Status
-measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options, StepOverDistance& field)
+measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options, StepOverDistance& field,
+                 const ProgressCallback& progress)
 {
+  const Status cancelled{StatusCode::Cancelled, "cancelled"};
+  const auto part = [&progress](double from, double to) { return partOf(progress, from, to, "step-over field"); };
+  const auto go_on = [&progress](double share) { return !progress || progress(share, "step-over field"); };
   field = StepOverDistance();
+  if (!go_on(0.0))
+    return cancelled;
   StepOverMesh coarse;
   if (const Status status = makeStepOverMesh(surface, outlines, options, coarse); !status.ok())
     return status;
@@ -126,15 +132,21 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
   field.least_length = leastLength(coarse, options.reserve);
   const int parts = std::max(2, static_cast<int>(std::ceil(parts_a_step * field.usual_edge)));
   {
-    const std::vector<double> distance = distancesFromRims(coarse);
+    const std::vector<double> distance = distancesFromRims(coarse, {}, part(0.1, 0.2));
+    if (distance.empty())
+      return cancelled;
     if (const Status status = checkWidth(coarse, distance, surface.spacing()); !status.ok())
       return status;
     const std::vector<std::uint8_t> band = ridgeBand(coarse, distance, field.usual_edge);
     if (const Status status = checkMeshSize(coarse, band, parts, options); !status.ok())
       return status;
+    if (!go_on(0.2))
+      return cancelled;
     field.mesh = refined(std::move(coarse), band, parts, field.is_fine);
   }
-  field.distance = distancesFromRims(field.mesh);
+  field.distance = distancesFromRims(field.mesh, {}, part(0.4, 1.0));
+  if (field.distance.empty())
+    return cancelled;
   for (std::size_t v = 0; v < field.mesh.size(); ++v) {
     if (!std::isfinite(field.distance[v]))
       return {StatusCode::Failed,

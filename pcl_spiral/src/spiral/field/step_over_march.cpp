@@ -12,7 +12,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double worth_a_step = 1e-7; // a smaller gain does not count as a shorter way
+constexpr double worth_a_step = 1e-7;         // a smaller gain does not count as a shorter way
+constexpr std::size_t visits_a_report = 4096; // from one report of the progress to the next
 
 using Sides = std::array<float, 3>;
 
@@ -47,6 +48,14 @@ acrossTriangle(double di, double dq, double ij, double qj, double iq)
   return best;
 }
 
+/** The least gain that counts at a node with so many visits. It doubles with each: in thin triangles, nodes correct each other by ever
+ *  less, thousands of times. So a node has at most 24 visits for gains up to a step-over, and one more for each doubling of these. */
+double
+worthAgain(std::uint8_t visits)
+{
+  return std::ldexp(worth_a_step, visits);
+}
+
 } // namespace
 
 std::array<double, 3>
@@ -63,12 +72,14 @@ stepOverSides(const StepOverMesh& mesh, std::size_t triangle)
 }
 
 std::vector<double>
-distancesFromRims(const StepOverMesh& mesh, const std::vector<double>& starts)
+distancesFromRims(const StepOverMesh& mesh, const std::vector<double>& starts, const std::function<bool(double)>& progress)
 {
   using Entry = std::pair<double, std::uint32_t>;
   const std::vector<Sides> sides = allSides(mesh);
   const Triangulation& mesh_t = mesh.triangles;
   std::vector<double> distance(mesh.size(), std::numeric_limits<double>::infinity());
+  std::vector<std::uint8_t> visits(mesh.size(), 0);
+  std::size_t reached_nodes = 0, all_visits = 0;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
   for (std::size_t r = 0; r < mesh.rims.size(); ++r)
     for (const std::uint32_t v : mesh.rims[r]) {
@@ -81,6 +92,9 @@ distancesFromRims(const StepOverMesh& mesh, const std::vector<double>& starts)
     front.pop();
     if (d > distance[i])
       continue;
+    reached_nodes += visits[i]++ == 0;
+    if (++all_visits % visits_a_report == 0 && progress && !progress(static_cast<double>(reached_nodes) / static_cast<double>(mesh.size())))
+      return {};
     for (std::size_t o = mesh_t.outgoingBegin(i); o < mesh_t.outgoingBegin(i + 1); ++o) {
       const std::uint32_t h = mesh_t.outgoing(o);
       const std::size_t t = h / 3, ci = h % 3;
@@ -89,7 +103,7 @@ distancesFromRims(const StepOverMesh& mesh, const std::vector<double>& starts)
         const std::uint32_t j = mesh_t.triangle(t)[cj], q = mesh_t.triangle(t)[cq];
         const double ij = sides[t][cq], qj = sides[t][ci], iq = sides[t][cj];
         const double reached = std::isfinite(distance[q]) ? acrossTriangle(d, distance[q], ij, qj, iq) : d + ij;
-        if (reached < distance[j] - worth_a_step) {
+        if (reached < distance[j] - worthAgain(visits[j])) {
           distance[j] = reached;
           front.push({reached, j});
         }

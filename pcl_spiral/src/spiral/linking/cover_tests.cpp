@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cover_tests.h"
 
+#include "common/stoppable_loop.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
@@ -48,14 +49,12 @@ CoverTests::add(const Eigen::Vector3d& p, const StepOverMetric& m)
   metric.push_back(m);
 }
 
-void
-CoverTests::measure(const SegmentSet& lines, std::size_t first)
+bool
+CoverTests::measure(const SegmentSet& lines, std::size_t first, const std::function<bool(double)>& progress)
 {
   distances.resize(points.size());
-  const auto count = static_cast<std::int64_t>(points.size());
-#pragma omp parallel for schedule(dynamic, 1024)
-  for (std::int64_t i = static_cast<std::int64_t>(first); i < count; ++i)
-    distances[i] = lines.nearest(points[i], metric[i], search_within).distance;
+  return stoppableLoop(static_cast<std::int64_t>(first), static_cast<std::int64_t>(points.size()), progress,
+                       [&](std::int64_t i) { distances[i] = lines.nearest(points[i], metric[i], search_within).distance; });
 }
 
 SegmentSet
@@ -70,18 +69,20 @@ passLines(const LinkedPath& path)
   return line;
 }
 
-CoverTests
-coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line)
+bool
+coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line, const ProgressCallback& progress,
+           CoverTests& tests)
 {
   const StepOverMesh& mesh = field.mesh;
-  CoverTests tests;
+  tests = CoverTests();
   std::vector<std::uint32_t> index(mesh.size(), none);
   for (std::uint32_t v = 0; v < mesh.size(); ++v)
     if (field.is_fine[v]) {
       index[v] = static_cast<std::uint32_t>(tests.size());
       tests.add(mesh.positions[v], mesh.metric[v]);
     }
-  tests.measure(line, 0);
+  if (!tests.measure(line, 0, partOf(progress, 0.0, 0.5, "coverage")))
+    return false;
   const std::size_t nodes = tests.size();
   const int coarse_parts = std::max(1, static_cast<int>(std::ceil(4.0 * field.usual_edge)));
   for (std::size_t t = 0; t < mesh.triangles.triangleCount(); ++t) {
@@ -95,12 +96,12 @@ coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentS
   }
   for (std::size_t i = 0; i < path.links.size(); ++i)
     tests.add(path.links[i], path.link_metric[i]);
-  tests.measure(line, nodes);
-  return tests;
+  return tests.measure(line, nodes, partOf(progress, 0.5, 1.0, "coverage"));
 }
 
-std::vector<std::size_t>
-testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places)
+bool
+testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places, const ProgressCallback& progress,
+             std::vector<std::size_t>& watched)
 {
   SegmentSet all, deep;
   for (const std::size_t i : places) {
@@ -113,16 +114,15 @@ testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places)
   const auto isNear = [&](const SegmentSet& set, std::size_t i) {
     return set.nearest(tests.points[i], tests.metric[i], watch_reach).segment != NearestSegment::none;
   };
-  const auto count = static_cast<std::int64_t>(tests.size());
   std::vector<std::uint8_t> chosen(tests.size(), 0);
-#pragma omp parallel for schedule(dynamic, 1024)
-  for (std::int64_t i = 0; i < count; ++i)
+  const bool whole = stoppableLoop(0, static_cast<std::int64_t>(tests.size()), partOf(progress, 0.0, 1.0, "coverage"), [&](std::int64_t i) {
     chosen[i] = tests.distances[i] > covered || (tests.distances[i] >= least_watched && isNear(all, i)) || isNear(deep, i);
-  std::vector<std::size_t> watched;
+  });
+  watched.clear();
   for (std::size_t i = 0; i < tests.size(); ++i)
     if (chosen[i])
       watched.push_back(i);
-  return watched;
+  return whole;
 }
 
 } // namespace pcl_spiral

@@ -6,10 +6,12 @@
 
 #include "spiral/lines/segment_set.h"
 
+#include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace pcl_spiral {
@@ -25,18 +27,21 @@ struct CoverTests {
 
   std::size_t size() const { return points.size(); }
   void add(const Eigen::Vector3d& p, const StepOverMetric& m);
-  /** Measure the distances, from index \p first on. */
-  void measure(const SegmentSet& lines, std::size_t first);
+  /** Measure the distances, from index \p first on. Returns false if \p progress cancels. */
+  bool measure(const SegmentSet& lines, std::size_t first, const std::function<bool(double)>& progress);
 };
 
 /** The passes of a path; a run's label is its first point. */
 SegmentSet passLines(const LinkedPath& path);
 
 /** Places on and beside the ridges of \p field, places where it is not a true distance, and places at the links of \p path: between
- *  the turns of ramps and about bridges. \p line holds the points of the path. */
-CoverTests coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line);
+ *  the turns of ramps and about bridges. \p line holds the points of the path. Returns false if \p progress cancels. */
+bool coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line, const ProgressCallback& progress,
+                CoverTests& tests);
 
-/** The uncovered \p places, and those of \p tests that may become uncovered when the path moves towards them. */
-std::vector<std::size_t> testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places);
+/** The uncovered \p places, and those of \p tests that may become uncovered when the path moves towards them. Returns false if
+ *  \p progress cancels. */
+bool testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places, const ProgressCallback& progress,
+                  std::vector<std::size_t>& watched);
 
 } // namespace pcl_spiral

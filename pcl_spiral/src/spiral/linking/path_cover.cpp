@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_cover.h"
 
+#include "common/stoppable_loop.h"
 #include "cover_tests.h"
 #include "spiral/lines/segment_set.h"
 #include "spiral/path/path_densify.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace pcl_spiral {
@@ -45,11 +47,12 @@ public:
 
   bool run(double held, const ProgressCallback& progress, CoverFigures& figures)
   {
-    watch(held, figures);
+    if (!watch(held, partOf(progress, 0.0, 0.5), figures))
+      return false;
     for (; !watched_.empty() && figures.rounds < most_rounds; ++figures.rounds) {
-      if (progress && !progress(0.5 + 0.5 * figures.rounds / most_rounds, "coverage"))
+      std::vector<std::size_t> open;
+      if (!openPlaces(partOf(progress, 0.5 + 0.5 * figures.rounds / most_rounds, 0.5 + 0.5 * (figures.rounds + 1) / most_rounds), open))
         return false;
-      const std::vector<std::size_t> open = openPlaces();
       figures.left = open.size();
       figures.farthest = open.empty() ? covered : watched_[open.front()].distance;
       if (open.empty())
@@ -63,13 +66,13 @@ public:
   }
 
 private:
-  void watch(double held, CoverFigures& figures);
+  bool watch(double held, const ProgressCallback& progress, CoverFigures& figures);
   void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests,
                 std::vector<std::uint8_t>& near) const;
-  void findRuns();
+  bool findRuns(const std::function<bool(double)>& progress);
   SegmentSet movingLines() const;
   void measure(Watched& at) const;
-  std::vector<std::size_t> openPlaces();
+  bool openPlaces(const ProgressCallback& progress, std::vector<std::size_t>& open);
   void pull(const std::vector<std::size_t>& open);
   bool isTaken(std::size_t centre) const;
   bool move();
@@ -86,11 +89,13 @@ private:
 };
 
 /** Find the uncovered places, the parts of the path that may move towards them, and the test points these may uncover. */
-void
-Mover::watch(double held, CoverFigures& figures)
+bool
+Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figures)
 {
   const SegmentSet line = passLines(path_);
-  const CoverTests tests = coverTests(field_, path_, line);
+  CoverTests tests;
+  if (!coverTests(field_, path_, line, partOf(progress, 0.0, 0.4), tests))
+    return false;
   figures.farthest_before = covered;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < tests.size(); ++i)
@@ -101,25 +106,26 @@ Mover::watch(double held, CoverFigures& figures)
   figures.farthest = figures.farthest_before;
   figures.places = places.size();
   if (places.empty())
-    return;
+    return true;
   std::vector<std::uint8_t> near(path_.points.size(), 0);
   findNear(line, places, tests, near);
   densify(near, held, grain, path_, near_, moves_);
   shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
   taken_.assign(path_.points.size(), 0);
-  for (const std::size_t i : testsToWatch(tests, places))
+  std::vector<std::size_t> watched;
+  if (!testsToWatch(tests, places, partOf(progress, 0.4, 0.7), watched))
+    return false;
+  for (const std::size_t i : watched)
     watched_.push_back({tests.points[i], tests.metric[i], {}, 0, 0.0, tests.distances[i]});
-  findRuns();
+  return findRuns(partOf(progress, 0.7, 1.0, "coverage"));
 }
 
 /** The runs of the path near each watched point, and its nearest segment. */
-void
-Mover::findRuns()
+bool
+Mover::findRuns(const std::function<bool(double)>& progress)
 {
   const SegmentSet lines = movingLines();
-  const auto count = static_cast<std::int64_t>(watched_.size());
-#pragma omp parallel for schedule(dynamic, 256)
-  for (std::int64_t i = 0; i < count; ++i) {
+  return stoppableLoop(0, static_cast<std::int64_t>(watched_.size()), progress, [&](std::int64_t i) {
     Watched& at = watched_[i];
     std::vector<std::size_t> segments;
     lines.forSegmentsNear(at.point, at.metric, looked_at, [&](std::size_t s) { segments.push_back(lines.label(s) + lines.place(s)); });
@@ -130,7 +136,7 @@ Mover::findRuns()
       at.runs.back().last = std::max(at.runs.back().last, s + 1);
     }
     measure(at);
-  }
+  });
 }
 
 /** Mark the points of the path within reach of \p places. */
@@ -193,22 +199,22 @@ Mover::measure(Watched& at) const
 }
 
 /** The uncovered watched points, the farthest first. */
-std::vector<std::size_t>
-Mover::openPlaces()
+bool
+Mover::openPlaces(const ProgressCallback& progress, std::vector<std::size_t>& open)
 {
-  const auto count = static_cast<std::int64_t>(watched_.size());
-#pragma omp parallel for schedule(dynamic, 256)
-  for (std::int64_t i = 0; i < count; ++i)
-    if (watched_[i].distance > covered)
-      measure(watched_[i]);
-  std::vector<std::size_t> open;
+  const bool whole =
+      stoppableLoop(0, static_cast<std::int64_t>(watched_.size()), partOf(progress, 0.0, 1.0, "coverage"), [this](std::int64_t i) {
+        if (watched_[i].distance > covered)
+          measure(watched_[i]);
+      });
+  open.clear();
   for (std::size_t i = 0; i < watched_.size(); ++i)
     if (watched_[i].distance > covered)
       open.push_back(i);
   std::sort(open.begin(), open.end(), [this](std::size_t a, std::size_t b) {
     return watched_[a].distance != watched_[b].distance ? watched_[a].distance > watched_[b].distance : a < b;
   });
-  return open;
+  return whole;
 }
 
 /** Whether the middle of another bell is near. */

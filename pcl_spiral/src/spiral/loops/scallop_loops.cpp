@@ -45,8 +45,9 @@ struct DrawnLevel {
 /** Makes loops level by level; fingers are added to a level before the next is drawn. */
 class LoopMaker {
 public:
-  LoopMaker(const StepOverDistance& field, const ProgressCallback& progress, ScallopLoopSet& set)
-  : field_(field), progress_(progress), set_(set), band_(field), climb_(field), values_(field.distance), scratch_(field.mesh.size(), 0),
+  LoopMaker(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const ProgressCallback& progress,
+            ScallopLoopSet& set)
+  : field_(field), band_(band), climb_(climb), progress_(progress), set_(set), values_(field.distance), scratch_(field.mesh.size(), 0),
     agreement_(gradientAgreement(field.mesh, field.distance))
   {}
 
@@ -88,10 +89,10 @@ private:
   std::vector<RawLoop> redrawn(int level, const std::vector<FingerAxis>& axes, const std::vector<std::uint32_t>& thin);
 
   const StepOverDistance& field_;
+  const RidgeBand& band_;
+  const RidgeClimb& climb_;
   const ProgressCallback& progress_;
   ScallopLoopSet& set_;
-  RidgeBand band_;
-  RidgeClimb climb_;
   std::vector<double> values_;                        ///< D, changed about fingers while their level is drawn
   std::vector<std::vector<std::uint32_t>> triangles_; ///< crossed by each level
   std::vector<std::uint32_t> scratch_;                ///< one a node, 0 between uses
@@ -312,7 +313,14 @@ bool
 makeScallopLoops(const StepOverDistance& field, const ProgressCallback& progress, ScallopLoopSet& set)
 {
   set = ScallopLoopSet();
-  return LoopMaker(field, progress, set).run();
+  const auto go_on = [&progress] { return !progress || progress(0.0, "loops"); };
+  if (!go_on())
+    return false;
+  const RidgeBand band(field);
+  if (!go_on())
+    return false;
+  const RidgeClimb climb(field);
+  return go_on() && LoopMaker(field, band, climb, progress, set).run();
 }
 
 } // namespace pcl_spiral

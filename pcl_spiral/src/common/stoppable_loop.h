@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  A parallel loop that can be cancelled.
+ */
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+
+namespace pcl_spiral {
+
+/** Call \p body(i) for all i from \p first to below \p end, in any order and in parallel. \p progress: called with the share done after
+ *  every 65536 of them; false cancels. Returns false if cancelled. */
+template <typename Body>
+bool
+stoppableLoop(std::int64_t first, std::int64_t end, const std::function<bool(double)>& progress, const Body& body)
+{
+  constexpr std::int64_t together = 65536;
+  for (std::int64_t begin = first; begin < end; begin += together) {
+    if (progress && !progress(static_cast<double>(begin - first) / static_cast<double>(end - first)))
+      return false;
+    const std::int64_t stop = std::min(end, begin + together);
+#pragma omp parallel for schedule(dynamic, 256)
+    for (std::int64_t i = begin; i < stop; ++i)
+      body(i);
+  }
+  return true;
+}
+
+} // namespace pcl_spiral
