@@ -71,6 +71,26 @@ protected:
     return depth;
   }
 
+  /** How deep a point of the thing is in the shank, 10 radii long, whose axis turns evenly on each move. */
+  double deepestInShank() const
+  {
+    const auto path = pcl_spiral::readToolpath(folder_.path("a.csv")).path;
+    double depth = -1e300;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+      for (int k = 0; k < 20 && path[i + 1].turn - path[i].turn < 0.9f; ++k) {
+        const auto between = [&](const Vector3d& a, const Vector3d& b) -> Vector3d { return a + (b - a) * (k / 20.0); };
+        const auto centre = [&](const auto& p) -> Vector3d {
+          return p.getVector3fMap().template cast<double>() + radius * p.getNormalVector3fMap().template cast<double>();
+        };
+        const auto axis = [](const auto& p) -> Vector3d { return p.getAxisVector3fMap().template cast<double>(); };
+        const Vector3d c = between(centre(path[i]), centre(path[i + 1])), a = between(axis(path[i]), axis(path[i + 1])).normalized();
+        for (const Vector3d& p : thing_)
+          if (const double along = (p - c).dot(a); along > 0.0 && along < 10.0 * radius)
+            depth = std::max(depth, radius - (p - c - along * a).norm());
+      }
+    return depth;
+  }
+
   static bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
   std::vector<Vector3d> thing_;
@@ -88,6 +108,8 @@ TEST_F(Clusters, TheRefusalNamesTheThingAndItsRemediesWork)
   const RunResult ridden = plan({"--clusters", "ride", "--verify", "--max-gouge", "0.02"});
   ASSERT_EQ(ridden.code, 0) << ridden.err;
   EXPECT_LE(deepest(), 1e-4);
+  EXPECT_LE(deepestInShank(), 1e-3);
+  EXPECT_TRUE(has(ridden.err, "the tool leans less than the set tilt")) << ridden.err;
   EXPECT_TRUE(has(ridden.out, "under cluster")) << ridden.out;
   EXPECT_TRUE(has(readText(folder_.path("a.json")), "\"under_cluster\": true"));
   ASSERT_EQ(plan({"--clusters", "leave-out"}).code, 0);

@@ -141,6 +141,29 @@ TEST(StandingClusters, AreRefusedWithPlaceSizeAndHeight)
       }
 }
 
+TEST(StandingClusters, AThingThatHidesTheSurfaceIsOneClusterOfAllItsPoints)
+{
+  // Its middle is far from all that is seen of the dome.
+  for (const double height : {8.0, 12.0}) {
+    const Cloud::Ptr cloud(new Cloud);
+    for (const pcl::PointXYZ& p : *dome(3))
+      if (std::max(std::abs(p.x - 2.0f), std::abs(p.y)) > 4.0f)
+        cloud->push_back(p);
+    std::mt19937 random(3);
+    put(*cloud, {49, height, 2.0, 0.0}, random);
+    Surface::ConstPtr surface;
+    ASSERT_TRUE(statusOf(cloud, ClusterHandling::Ride, &surface).ok());
+    std::size_t points = 0, hiding = 0;
+    for (const StandingCluster& cluster : surface->clusters()) {
+      points += cluster.indices.size();
+      hiding += cluster.hides_surface;
+      EXPECT_EQ(cluster.positions.size(), cluster.indices.size());
+    }
+    EXPECT_EQ(points, 49U) << height;
+    EXPECT_GE(hiding, 1U);
+  }
+}
+
 TEST(StandingClusters, PointsFarApartInOnePlaceAreOneToo)
 {
   // Each three to five spacings from the next: alone they look like single echoes.

@@ -21,13 +21,15 @@ namespace {
 
 constexpr double link = 2.0;           // spacings
 constexpr double loose_link = 6.0;     // spacings: of points that stand far apart for their cluster
+constexpr double unseen = 2.0;         // spacings from the nearest point of the surface
 constexpr std::size_t least_patch = 2; // points
 
 /** Height of a point over the surface. */
 struct Height {
   double value = 0.0; ///< mm, towards the outer side
   double noise = 0.0; ///< of the neighbours about the surface
-  bool over = false;  ///< over the surface, not beside its rim
+  bool over = false;  ///< over the surface, not beyond its rim or over a wide hole in it
+  bool hides = false; ///< nothing of the surface is seen below
 };
 
 /** Leave out points with fewer than \p least of them in their group: single ones of a cluster that stands off the surface. */
@@ -92,11 +94,10 @@ public:
     const Eigen::Vector3d up = meanNormal(near.index, std::min(near.size, nearest_for_normal), sure_.normals);
     const SurfaceFoot foot = robustQuarticFoot(base, near, up);
     Height height;
-    if (!foot.valid)
-      return height;
-    height.value = (point - foot.position).dot(n);
+    height.over = foot.valid && foot.overhang < sure_.spacing;
+    height.value = n.dot(point - (height.over ? foot.position : sure_.blocks.position(nearest))); // no fit reaches far over a hole
     height.noise = foot.residual;
-    height.over = foot.overhang < sure_.spacing;
+    height.hides = (base - sure_.blocks.position(nearest)).norm() > unseen * sure_.spacing;
     return height;
   }
 
@@ -139,7 +140,7 @@ usualNoise(const SurePoints& sure)
 struct StandingSet {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> members; ///< their indices among those given
-  std::vector<double> heights;
+  std::vector<double> heights;        ///< 0 of points that are not over the surface
 
   void add(const Eigen::Vector3f& point, std::uint32_t member, double height)
   {
@@ -149,46 +150,56 @@ struct StandingSet {
   }
 };
 
+/** Sets place and size of \p cluster. */
+void
+measure(StandingCluster& cluster)
+{
+  Eigen::AlignedBox3d box;
+  cluster.place.setZero();
+  for (const Eigen::Vector3f& point : cluster.positions) {
+    box.extend(point.cast<double>());
+    cluster.place += point.cast<double>() / static_cast<double>(cluster.positions.size());
+  }
+  cluster.size = box.diagonal().norm();
+}
+
 std::vector<StandingCluster>
 groupsOf(const StandingSet& standing, double reach)
 {
   std::vector<StandingCluster> groups;
-  std::vector<Eigen::AlignedBox3d> boxes;
   const std::vector<std::uint32_t> group = pointGroups(standing.points, reach);
   for (std::size_t i = 0; i < standing.points.size(); ++i) {
-    if (group[i] == groups.size()) {
+    if (group[i] == groups.size())
       groups.emplace_back();
-      boxes.emplace_back();
-    }
     StandingCluster& own = groups[group[i]];
     own.indices.push_back(standing.members[i]);
     own.positions.push_back(standing.points[i]);
-    own.place += standing.points[i].cast<double>();
     own.height = std::max(own.height, standing.heights[i]);
-    boxes[group[i]].extend(standing.points[i].cast<double>());
   }
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    groups[g].place /= static_cast<double>(groups[g].indices.size());
-    groups[g].size = boxes[g].diagonal().norm();
-  }
+  for (StandingCluster& own : groups)
+    measure(own);
   return groups;
 }
 
+/** True if \p group has \p least points, and some of them are far from the surface. \p is_far: of the indices among the points given. */
+bool
+isCluster(const StandingCluster& group, std::size_t least, const std::vector<std::uint8_t>& is_far)
+{
+  return group.indices.size() >= least &&
+         std::count_if(group.indices.begin(), group.indices.end(), [&](std::uint32_t i) { return is_far[i] != 0; }) > 1;
+}
+
 /** Groups larger than chance makes them: first of points that are near each other among all, then of the others, which stand farther
- *  apart but in one place of the \p area. \p is_far: of the indices among the points given. */
+ *  apart but in one place of the \p area. */
 std::vector<StandingCluster>
 clustersOf(const StandingSet& standing, const std::vector<std::uint8_t>& is_far, double spacing, double area)
 {
-  const auto isCluster = [&](const StandingCluster& group, std::size_t least) {
-    return group.indices.size() >= least &&
-           std::count_if(group.indices.begin(), group.indices.end(), [&](std::uint32_t i) { return is_far[i] != 0; }) > 1;
-  };
   std::vector<StandingCluster> clusters;
   const std::vector<StandingCluster> groups = groupsOf(standing, link * spacing);
   const std::size_t least = leastCluster(groups, link * spacing);
   StandingSet others;
   for (const StandingCluster& group : groups) {
-    if (isCluster(group, least))
+    if (isCluster(group, least, is_far))
       clusters.push_back(group);
     else
       for (std::size_t i = 0; i < group.indices.size(); ++i)
@@ -196,9 +207,41 @@ clustersOf(const StandingSet& standing, const std::vector<std::uint8_t>& is_far,
   }
   const std::size_t least_loose = leastSpread(others.points.size(), loose_link * spacing, area);
   for (const StandingCluster& group : groupsOf(others, loose_link * spacing))
-    if (isCluster(group, least_loose))
+    if (isCluster(group, least_loose, is_far))
       clusters.push_back(group);
   return clusters;
+}
+
+/** Adds each of \p groups, not over the surface, that is within \p reach of one of \p clusters to the nearest one. */
+void
+joinToClusters(const std::vector<StandingCluster>& groups, double reach, std::vector<StandingCluster>& clusters)
+{
+  if (clusters.empty())
+    return;
+  std::vector<Eigen::Vector3f> points;
+  std::vector<std::size_t> cluster_of;
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    points.insert(points.end(), clusters[c].positions.begin(), clusters[c].positions.end());
+    cluster_of.resize(points.size(), c);
+  }
+  const PointBlocks blocks(std::move(points));
+  for (const StandingCluster& group : groups) {
+    double least = reach;
+    std::size_t nearest = clusters.size();
+    for (const Eigen::Vector3f& point : group.positions) {
+      const std::uint32_t k = blocks.nearest(point.cast<double>());
+      if (const double distance = (blocks.point(k) - point).norm(); distance <= least) {
+        least = distance;
+        nearest = cluster_of[blocks.originalIndex(k)];
+      }
+    }
+    if (nearest == clusters.size())
+      continue;
+    StandingCluster& own = clusters[nearest];
+    own.indices.insert(own.indices.end(), group.indices.begin(), group.indices.end());
+    own.positions.insert(own.positions.end(), group.positions.begin(), group.positions.end());
+    measure(own);
+  }
 }
 
 } // namespace
@@ -215,7 +258,7 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
     return found;
   const std::vector<Height> heights = heightsOver(sure, points);
   const double spacing = graph.spacing(), usual = usualNoise(sure);
-  StandingSet standing;
+  StandingSet standing, others;
   std::vector<double> sizes;
   std::vector<std::uint8_t> is_far(points.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -223,14 +266,22 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
     const double noise = std::max(height.noise, usual);
     sizes.push_back(std::abs(height.value));
     is_far[i] = height.value > far_over_noise * noise;
-    if (height.over && height.value > std::max(over_noise * noise, over_spacing * spacing))
+    if (!(height.value > std::max(over_noise * noise, over_spacing * spacing)))
+      continue;
+    if (height.over)
       standing.add(points[i], static_cast<std::uint32_t>(i), height.value);
+    else
+      others.add(points[i], static_cast<std::uint32_t>(i), 0.0);
   }
   found.largest_height = *std::max_element(sizes.begin(), sizes.end());
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   found.median_height = *middle;
   found.clusters = clustersOf(standing, is_far, spacing, static_cast<double>(sure.blocks.size()) * spacing * spacing);
+  joinToClusters(groupsOf(others, link * spacing), link * spacing, found.clusters);
+  for (StandingCluster& cluster : found.clusters)
+    cluster.hides_surface =
+        std::any_of(cluster.indices.begin(), cluster.indices.end(), [&heights](std::uint32_t i) { return heights[i].hides; });
   std::stable_sort(found.clusters.begin(), found.clusters.end(),
                    [](const StandingCluster& a, const StandingCluster& b) { return a.height > b.height; });
   return found;
@@ -253,10 +304,30 @@ clustersText(const std::vector<StandingCluster>& clusters)
 Status
 refusalOf(const std::vector<StandingCluster>& clusters)
 {
-  return {StatusCode::InvalidInput,
-          clustersText(clusters) +
-              "; a path would go through what is there: take it off and scan again, keep the cutter out of there (addKeepOut), ride over "
-              "it (setClusterHandling with Ride), or leave the points out if they are false echoes (setClusterHandling)"};
+  const bool hide = std::any_of(clusters.begin(), clusters.end(), [](const StandingCluster& cluster) { return cluster.hides_surface; });
+  return {
+      StatusCode::InvalidInput,
+      textOf(clustersText(clusters),
+             "; a path would go through what is there: take it off and scan again, keep the cutter out of there (addKeepOut), ride over "
+             "it (setClusterHandling with Ride)",
+             hide ? " with a ball of at least twice its height as radius" : "",
+             ", or leave the points out if they are false echoes (setClusterHandling)")};
+}
+
+Status
+checkRideHeight(const std::vector<StandingCluster>& clusters, double radius)
+{
+  constexpr double safe = 0.5; // of the radius: 1 - sin(30 degrees)
+  for (const StandingCluster& cluster : clusters)
+    if (cluster.hides_surface && cluster.height > safe * radius)
+      return {StatusCode::InvalidInput,
+              textOf("the cluster of points at ", placeText(cluster.place), " is ", cluster.height,
+                     " mm high and hides the surface: only its top is seen, and its sides may lean into the way of the ball, which rides "
+                     "over such a thing up to half its radius, ",
+                     safe * radius,
+                     " mm high: take it off and scan again, keep the cutter out of there (addKeepOut), or leave the points out if they are "
+                     "false echoes (setClusterHandling)")};
+  return Status::success();
 }
 
 } // namespace pcl_spiral

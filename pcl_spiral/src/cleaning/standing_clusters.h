@@ -31,8 +31,9 @@ struct StandingPoints {
  *  Steps of two spacings link the points of a cluster. Points that stand farther apart are linked by steps of six spacings. False echoes
  *  that fly about at random meet by chance: how often is estimated from their distances (leastCluster), for the second links from their
  *  number on the whole surface (leastSpread). Groups of a size that is
- *  expected 0.3 times or more are no clusters. The surface is that of spikeOutliers, fitted to the points of the graph that are not
- *  doubtful. */
+ *  expected 0.3 times or more are no clusters. Points beyond the rim or over a hole, as the middle of a clamp that hides the surface, are
+ *  no reason for a cluster, but join the one that steps of two spacings link them to. The surface is that of spikeOutliers, fitted to the
+ *  points of the graph that are not doubtful. */
 StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points);
 
 /** "9 clusters of points stand off the surface: 6 points at (1, 2, 3), 10 mm across and 5.4 mm high, ... and 5 more" */
@@ -40,5 +41,10 @@ std::string clustersText(const std::vector<StandingCluster>& clusters);
 
 /** Refuses a scan with \p clusters, with what can be done about them. */
 Status refusalOf(const std::vector<StandingCluster>& clusters);
+
+/** Refuses to ride over \p clusters that hide the surface and are higher than half the \p radius of the ball. Of such a thing only the top
+ *  is seen. A ball of radius R that touches the top at a height h stays clear of a straight side below it that leans from the normal by an
+ *  angle a towards the ball if h <= R (1 - sin a): half the radius allows for 30 degrees. */
+Status checkRideHeight(const std::vector<StandingCluster>& clusters, double radius);
 
 } // namespace pcl_spiral

@@ -23,22 +23,82 @@ forWays(const pcl::PointCloud<ToolpathPoint>& path, const std::vector<Eigen::Vec
   }
 }
 
-/** Adds places on the axis of the shank above the ball, from path points that are a part of the radius apart. */
-void
-addShank(const pcl::PointCloud<ToolpathPoint>& path, double radius, std::vector<Eigen::Vector3f>& places)
-{
-  constexpr double apart = 0.25, step = 0.5; // of the radius
-  const std::vector<Eigen::Vector3d> centres = ballCentres(path, radius);
-  Eigen::Vector3d last = Eigen::Vector3d::Constant(1e30);
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    if ((centres[i] - last).norm() < apart * radius)
-      continue;
-    last = centres[i];
-    const Eigen::Vector3d axis(path[i].axis_x, path[i].axis_y, path[i].axis_z);
-    for (double above = step; above <= shank_radii; above += step)
-      places.push_back((centres[i] + above * radius * axis).cast<float>());
+/** Short straight pieces of the ways of the ball and of the axes of its shank. */
+class WayPieces {
+public:
+  WayPieces(const pcl::PointCloud<ToolpathPoint>& path, double radius) : radius_(radius)
+  {
+    forWays(path, ballCentres(path, radius), [&](std::size_t i, const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
+      add(begin, end);
+      addShanks(path[i], path[std::min(i + 1, path.size() - 1)], begin, end);
+    });
+    if (!middles_.empty())
+      blocks_ = PointBlocks(std::move(middles_));
   }
-}
+
+  /** How deep \p p is in the ball or its shank, mm; 0 outside. */
+  double depth(const Eigen::Vector3f& p) const
+  {
+    const double reach = (1.0 + 0.5 * longest) * radius_;
+    const auto squared = static_cast<float>(reach * reach);
+    if (blocks_.size() == 0 || blocks_.box().squaredDistance(p.data()) > squared)
+      return 0.0;
+    Box place;
+    place.extend(p.data());
+    double least = radius_ * radius_;
+    blocks_.forBlocksNear(place, squared, [&](std::size_t block) {
+      for (std::size_t k = blocks_.blockBegin(block); k < blocks_.blockEnd(block); ++k)
+        if ((blocks_.point(k) - p).squaredNorm() <= squared)
+          least = std::min(least, squaredDistance(k, p.cast<double>()));
+    });
+    return radius_ - std::sqrt(least);
+  }
+
+private:
+  static constexpr double longest = 0.5; // of the radius: a piece
+  static constexpr double apart = 0.1;   // of the radius: axes looked at; between them a point is at most 0.00125 radii deeper
+
+  void add(const Eigen::Vector3d& begin, const Eigen::Vector3d& end)
+  {
+    const int pieces = std::max(1, static_cast<int>(std::ceil((end - begin).norm() / (longest * radius_))));
+    const Eigen::Vector3d half = (end - begin) / (2.0 * pieces);
+    for (int k = 0; k < pieces; ++k) {
+      middles_.push_back((begin + (2.0 * k + 1.0) * half).cast<float>());
+      halves_.push_back(half.cast<float>());
+    }
+  }
+
+  /** Axes of the shank on the way from \p begin to \p end, from one point to the next. */
+  void addShanks(const ToolpathPoint& point, const ToolpathPoint& next, const Eigen::Vector3d& begin, const Eigen::Vector3d& end)
+  {
+    const double length = shank_radii * radius_;
+    const Eigen::Vector3d from = begin + length * point.getAxisVector3fMap().cast<double>();
+    const Eigen::Vector3d to = begin == end ? from : end + length * next.getAxisVector3fMap().cast<double>();
+    const double way = std::max((end - begin).norm(), (to - from).norm());
+    const int pieces = std::max(1, static_cast<int>(std::ceil(way / (apart * radius_))));
+    for (int k = 0; k < pieces; ++k) {
+      const Eigen::Vector3d low = begin + (end - begin) * k / pieces, high = from + (to - from) * k / pieces;
+      if (std::max((low - low_).norm(), (high - high_).norm()) < 0.5 * apart * radius_)
+        continue;
+      low_ = low;
+      high_ = high;
+      add(low, high);
+    }
+  }
+
+  /** From piece \p k of the blocks to \p p. */
+  double squaredDistance(std::size_t k, const Eigen::Vector3d& p) const
+  {
+    const Eigen::Vector3d half = halves_[blocks_.originalIndex(k)].cast<double>(), offset = p - blocks_.position(k);
+    const double share = std::clamp(offset.dot(half) / std::max(half.squaredNorm(), 1e-30), -1.0, 1.0);
+    return (offset - share * half).squaredNorm();
+  }
+
+  double radius_;
+  Eigen::Vector3d low_ = Eigen::Vector3d::Constant(1e30), high_ = low_; ///< ends of the last axis of the shank
+  std::vector<Eigen::Vector3f> middles_, halves_;                       ///< of the pieces: from the middle to the end
+  PointBlocks blocks_;                                                  ///< of the middles
+};
 
 /** The deepest of \p points; absent if none is deeper than 0. */
 std::optional<BallEntry>
@@ -77,26 +137,13 @@ deepestEntry(const pcl::PointCloud<ToolpathPoint>& path, const std::vector<Eigen
 std::vector<double>
 depthsInWay(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Eigen::Vector3f>& points)
 {
-  constexpr double step = 0.02; // of the radius: between places on a way; the depth is then known to a 20000th of the radius
-  std::vector<Eigen::Vector3f> places;
   std::vector<double> depths(points.size(), 0.0);
   if (points.empty())
     return depths;
-  forWays(path, ballCentres(path, radius), [&](std::size_t, const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
-    const auto pieces = static_cast<int>(std::ceil((end - begin).norm() / (step * radius)));
-    for (int k = 0; k < std::max(1, pieces); ++k)
-      places.emplace_back((begin + (end - begin) * k / std::max(1, pieces)).cast<float>());
-  });
-  if (places.empty())
-    return depths;
-  addShank(path, radius, places);
-  const PointBlocks blocks(std::move(places));
+  const WayPieces pieces(path, radius);
 #pragma omp parallel for schedule(dynamic, 256)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i)
-    if (blocks.box().squaredDistance(points[i].data()) < static_cast<float>(radius * radius)) {
-      const Eigen::Vector3d place = points[i].cast<double>();
-      depths[i] = std::max(0.0, radius - (blocks.position(blocks.nearest(place)) - place).norm());
-    }
+    depths[i] = pieces.depth(points[i]);
   return depths;
 }
 

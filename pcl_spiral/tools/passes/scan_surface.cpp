@@ -126,8 +126,10 @@ heedClusters(const PassJob& job, ProgressBar& bar, const Surface::ConstPtr& surf
   result.warnings.push_back(clustersText(surface->clusters()) + (rides
                                                                      ? "; the cutter rides over what is there"
                                                                      : "; they were left out, and the cutter goes through what is there"));
-  if (rides)
+  if (rides) {
+    require(job.scan, checkRideHeight(surface->clusters(), job.cutter.corner_radius));
     return surface; // locations stay clear of every point of the scan
+  }
   std::vector<std::uint8_t> stands(result.scan.cloud->size(), 0);
   for (const StandingCluster& cluster : surface->clusters())
     for (const std::uint32_t i : cluster.indices)

@@ -125,8 +125,11 @@ Status measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFi
 Status putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
                     const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach = nullptr);
 
-/** Tool axes of \p path: tilted, smoothed, limited to the largest rate. Fails where the axis would lie in the surface. */
-Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings);
+/** Tool axes of \p path: tilted, smoothed, limited to the largest rate. Beside \p obstacles, points that the ball rides over, the tool
+ *  leans less if its shank, shank_radii long, would enter them otherwise; a fixed axis stays. Fails where the axis would lie in the
+ *  surface. */
+Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings,
+                   const std::vector<Eigen::Vector3f>& obstacles = {});
 
 /** Reversals and closest turns of \p path. The first and the last turn of each pass do not count: they run about the centre or along a
  *  boundary, where turns meet. Neighbouring turns are half a turn or more apart; with SpiralMethod::ConstantScallop they are stretches

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/impl/tight_places.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
@@ -7,8 +6,6 @@
 #include "tight_ride.h"
 
 #include "core/self_crossing.h"
-#include "core/smooth_axes.h"
-#include "core/tilted_axes.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
@@ -26,18 +23,6 @@ constexpr double slack = 1.05;          // steps stretch a little when they are 
 constexpr double stretched = 2.0;       // on rough surfaces they stretch more, and are halved again and again
 constexpr int most_halvings = 3;
 constexpr std::size_t chunk = 1u << 16; // path points between progress reports
-
-double
-radians(double degrees)
-{
-  return degrees * pi / 180.0;
-}
-
-double
-degrees(double radians)
-{
-  return radians * 180.0 / pi;
-}
 
 bool
 isOverGap(const SurfaceFoot& foot, const Surface& surface)
@@ -93,66 +78,6 @@ cutLengths(const SpiralPath& path)
   for (std::size_t i = 1; i < lengths.size(); ++i)
     lengths[i] = lengths[i - 1] + (beginsPass(path.passes, i) ? 0.0 : (path.contacts[i] - path.contacts[i - 1]).norm());
   return lengths;
-}
-
-/** Call \p visit with contacts and normals of each pass. */
-template <typename Visit>
-void
-forPasses(const SpiralPath& path, Visit visit)
-{
-  if (path.passes.empty()) // no copies
-    return visit(path.onSurface(), path.normals);
-  for (const PassRange& pass : passRanges(path.passes, path.contacts.size())) {
-    const auto part = [&pass](const std::vector<Eigen::Vector3d>& values) {
-      return Polyline(values.begin() + static_cast<std::ptrdiff_t>(pass.begin), values.begin() + static_cast<std::ptrdiff_t>(pass.end));
-    };
-    visit(part(path.onSurface()), part(path.normals));
-  }
-}
-
-/** Axes of all passes, tilted and smoothed pass by pass; \p wanted: before smoothing. */
-SmoothAxes
-axesOf(const SpiralPath& path, const SpiralSettings& settings, std::vector<Eigen::Vector3d>& wanted)
-{
-  const AxisFieldOptions options{settings.axis_smoothing, radians(settings.axis_deviation), radians(settings.max_axis_rate)};
-  SmoothAxes all;
-  forPasses(path, [&](const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals) {
-    const auto tilted = tiltedAxes(contacts, normals, radians(settings.tilt_angle), radians(settings.lead_angle));
-    const SmoothAxes field = smoothAxes(contacts, tilted, options);
-    wanted.insert(wanted.end(), tilted.begin(), tilted.end());
-    all.axes.insert(all.axes.end(), field.axes.begin(), field.axes.end());
-    all.largest_deviation = std::max(all.largest_deviation, field.largest_deviation);
-    all.largest_change = std::max(all.largest_change, field.largest_change);
-    all.largest_rate = std::max(all.largest_rate, field.largest_rate);
-    all.deviating_points += field.deviating_points;
-  });
-  return all;
-}
-
-/** The same axis everywhere; a ball touches the surface with its shank where they lie along each other. */
-Status
-setFixedAxis(const Eigen::Vector3d& axis, SpiralPath& path, AxisFigures& figures)
-{
-  constexpr double flattest = 89.0; // degrees
-  const AxisLean lean = largestLean(path.normals, std::vector<Eigen::Vector3d>(path.normals.size(), axis));
-  if (degrees(lean.angle) > flattest)
-    return {StatusCode::Failed,
-            textOf("the fixed tool axis leans ", degrees(lean.angle), " degrees from the normal at ", placeText(path.contacts[lean.point]),
-                   ", and the shank would touch the part: choose another axis (setFixedAxis), or leave it out")};
-  path.axes.assign(path.contacts.size(), axis.cast<float>());
-  figures.largest_lean = degrees(lean.angle);
-  return Status::success();
-}
-
-/** Number of moves, without lifts, on which the normal turns faster than \p rate. */
-std::size_t
-fastMoves(const SpiralPath& path, double rate)
-{
-  std::size_t moves = 0;
-  forPasses(path, [&](const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals) {
-    moves += movesTurningFaster(contacts, normals, rate);
-  });
-  return moves;
 }
 
 } // namespace
@@ -233,37 +158,6 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
       return status;
   path.arc_lengths = cutLengths(path);
   return measureGaps(path, settings, figures);
-}
-
-Status
-setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings)
-{
-  if (settings.fixed_axis)
-    return setFixedAxis(settings.fixed_axis->normalized(), path, figures);
-  std::vector<Eigen::Vector3d> wanted;
-  const SmoothAxes field = axesOf(path, settings, wanted);
-  const AxisLean lean = largestLean(path.normals, field.axes);
-  if (liesInSurface(lean, path.normals, wanted))
-    return {StatusCode::Failed,
-            textOf("the tool axis would lean ", degrees(lean.angle), " degrees from the normal at ", placeText(path.contacts[lean.point]),
-                   " to keep the largest axis rate of ", settings.max_axis_rate, " degrees per mm: raise the axis rate (setMaxAxisRate)")};
-  const auto count = static_cast<std::int64_t>(field.axes.size());
-  path.axes.resize(field.axes.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < count; ++i)
-    path.axes[i] = field.axes[i].cast<float>();
-  figures.largest_change = degrees(field.largest_change);
-  figures.largest_rate = degrees(field.largest_rate);
-  figures.largest_deviation = degrees(field.largest_deviation);
-  figures.largest_lean = degrees(lean.angle);
-  figures.deviating_points = field.deviating_points;
-  if (const std::size_t moves = fastMoves(path, radians(settings.max_axis_rate)); moves > 0)
-    warnings.push_back(textOf("on ", moves, " of ", count - 1, " moves the surface normal turns faster than the largest axis rate of ",
-                              settings.max_axis_rate,
-                              " degrees per mm: the tool axis cannot follow it there and differs from the set "
-                              "tilt by up to ",
-                              figures.largest_deviation, " degrees; allow a higher rate (setMaxAxisRate), or smooth the scan"));
-  return Status::success();
 }
 
 Status

@@ -3,6 +3,7 @@
 
 #include "place_groups.h"
 
+#include "cleaning/standing_clusters.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
@@ -126,7 +127,7 @@ checkRidden(const Surface& surface, const SpiralSettings& settings)
   if (settings.tight == TightHandling::Refuse)
     return {StatusCode::InvalidArgument, "the ball must be lifted to ride over the clusters on the scan (setClusterHandling with Ride), "
                                          "but setTightHandling refuses to lift it: leave one of them out"};
-  return Status::success();
+  return checkRideHeight(surface.clusters(), settings.tool_radius);
 }
 
 std::unique_ptr<BallReach>

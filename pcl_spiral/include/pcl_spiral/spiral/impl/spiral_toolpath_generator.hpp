@@ -147,13 +147,14 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
         !status.ok())
       return status;
   }
+  const std::vector<Eigen::Vector3f> ridden = surface->riddenPoints();
   surface.reset();
   clock.end("projection");
   const Status cancelled(StatusCode::Cancelled, "cancelled");
   if (progress_ && !progress_(0.9, "tool axis"))
     return cancelled;
   AxisFigures axes;
-  if (const Status status = setToolAxes(settings_, path, axes, report_.warnings); !status.ok())
+  if (const Status status = setToolAxes(settings_, path, axes, report_.warnings, ridden); !status.ok())
     return status;
   SpiralSettings used = settings_;
   used.method = report_.method;
