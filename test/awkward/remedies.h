@@ -20,8 +20,8 @@ struct Remedy {
   double radius = 0.0;                ///< of another ball, mm; 0: the same one
 };
 
-/** The remedies that \p said names to a run with \p arguments, one after the other, as a user who knows the part takes them. Polygons are drawn by the extents in
- *  the message and written to \p folder, with names that begin with \p prefix. */
+/** The remedies that \p said names to a run with \p arguments, one after the other, as a user who knows the part takes them. Polygons are
+ *  drawn by the extents in the message and written to \p folder, with names that begin with \p prefix. */
 std::vector<Remedy> remediesOf(const Scene& scene, const std::vector<std::string>& arguments, const std::string& said,
                                const std::string& prefix, const ScratchFolder& folder);
 
