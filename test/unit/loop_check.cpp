@@ -88,6 +88,22 @@ TEST(LoopCheck, LoopsThatWereFoundHaveTheSurfaceOnTheirLeft)
     }
 }
 
+TEST(LoopCheck, AFoundEdgeOverTheSurfaceIsNoFaultOfAProgrammer)
+{
+  const auto holed = dome({test::circle({20, 5}, 9.0)});
+  for (const SurfaceGraph& graph : clouds(*holed)) {
+    std::vector<BoundaryLoop> loops;
+    ASSERT_TRUE(findBoundaryLoops(graph, {}, loops).ok());
+    EXPECT_TRUE(checkFoundLoops(graph, loops).ok());
+    loops.back() = reversed(loops.back()); // as the edge of something above the surface runs
+    const Status status = checkFoundLoops(graph, loops);
+    EXPECT_EQ(status.code(), StatusCode::Failed);
+    EXPECT_NE(status.message().find("no single sheet"), std::string::npos) << status.message();
+    EXPECT_NE(status.message().find("setCrop"), std::string::npos) << status.message();
+    EXPECT_EQ(status.message().find("reverse"), std::string::npos) << status.message();
+  }
+}
+
 TEST(LoopCheck, PointsInsideALoop)
 {
   for (const SurfaceGraph& graph : clouds(*dome({test::circle({20, 5}, 12.0)}))) {

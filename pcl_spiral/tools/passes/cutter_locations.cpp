@@ -13,6 +13,12 @@ using namespace pcl_spiral;
 
 namespace {
 
+const char*
+locationsWere(std::size_t count)
+{
+  return count == 1 ? " location was" : " locations were";
+}
+
 /** Without a fit, the surface's normal is that of the cutter at the contact. */
 Eigen::Vector3d
 normalAt(const CutterProfile& cutter, const ToolLocation& location)
@@ -134,22 +140,23 @@ warnOfLocations(const PassJob& job, PassResult& result)
   warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
   const LeftOutLocations& left = result.left_out;
   if (left.entering > 0)
-    warnings.push_back(textOf(left.entering, " locations were left out because the cutter would enter a keep-out there; passes are "
-                                             "interrupted (--keep-out)"));
+    warnings.push_back(textOf(left.entering, locationsWere(left.entering),
+                              " left out because the cutter would enter a keep-out there; passes are "
+                              "interrupted (--keep-out)"));
   if (left.touching > 0)
-    warnings.push_back(textOf(left.touching, " locations were left out because the tool would be up to ", left.deepest,
+    warnings.push_back(textOf(left.touching, locationsWere(left.touching), " left out because the tool would be up to ", left.deepest,
                               " mm deep in what stands in a keep-out, first at ", placeText(left.first),
                               "; passes are interrupted (--keep-out)"));
   if (left.beside > 0)
-    warnings.push_back(textOf(left.beside, " locations were left out because the tool would be up to ", left.deepest_beside,
+    warnings.push_back(textOf(left.beside, locationsWere(left.beside), " left out because the tool would be up to ", left.deepest_beside,
                               " mm deep in the scan beside the part that was chosen, first at ", placeText(left.first_beside),
                               "; passes are interrupted"));
-  if (result.off_scan > left.count())
-    warnings.push_back(textOf(result.off_scan - left.count(),
-                              " locations have no part of the surface below the cutter and were left out; passes are interrupted there"));
+  if (const std::size_t off = result.off_scan - std::min(result.off_scan, left.count()); off > 0)
+    warnings.push_back(textOf(off, off == 1 ? " location has" : " locations have", " no part of the surface below the cutter and ",
+                              off == 1 ? "was" : "were", " left out; passes are interrupted there"));
   if (result.bisection.unresolved > 0)
-    warnings.push_back(textOf(result.bisection.unresolved, " moves exceed the tolerance of ", job.tolerance,
-                              " mm, the worst by an error of ", result.bisection.largest_error, " mm at ",
-                              placeText(result.bisection.worst_place),
-                              ": the axis turns too fast or the surface is too steep there; check this place before you cut"));
+    warnings.push_back(textOf(
+        result.bisection.unresolved, result.bisection.unresolved == 1 ? " move exceeds the" : " moves exceed the tolerance of ",
+        job.tolerance, " mm, the worst by an error of ", result.bisection.largest_error, " mm at ", placeText(result.bisection.worst_place),
+        ": the axis turns too fast or the surface is too steep there; check this place before you cut"));
 }

@@ -34,12 +34,13 @@ warningsOf(const MachineProgram& program)
                               " to ", most.end, " mm of the path, by up to ", most.largest_change * in_degrees, " degrees"));
   }
   if (const std::size_t by_axis = report.slowed_blocks - report.tool_slowed_blocks; by_axis > 0)
-    warnings.push_back(textOf(by_axis, " of ", report.cut_blocks,
-                              " blocks run below the feed because of the rate limit of an axis, the slowest at ",
-                              100.0 * report.least_feed_share, " % of it, at ", report.least_feed_at, " mm of the path"));
+    warnings.push_back(textOf(by_axis, " of ", report.cut_blocks, by_axis == 1 ? " blocks runs below" : " blocks run below",
+                              " the feed because of the rate limit of an axis, the slowest at ", 100.0 * report.least_feed_share,
+                              " % of it, at ", report.least_feed_at, " mm of the path"));
   if (report.tool_slowed_blocks > 0)
     warnings.push_back(textOf(report.tool_slowed_blocks, " of ", report.cut_blocks,
-                              " blocks run below the feed because the tool moves more than twice as far as its contact; it keeps to twice "
+                              report.tool_slowed_blocks == 1 ? " blocks runs below" : " blocks run below",
+                              " the feed because the tool moves more than twice as far as its contact; it keeps to twice "
                               "the feed"));
   if (!report.unwound_at.empty())
     warnings.push_back(textOf("the tool leaves the surface ", report.unwound_at.size(), " times so that ", first,

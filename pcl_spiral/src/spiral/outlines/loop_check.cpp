@@ -136,9 +136,21 @@ checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index
     }
   if (!surfaceOnLeft(graph, loop))
     return refused(index, " at ", placeText(loop.curve.front()),
-                   " has the surface on its right. If the library found it, the scan is noisy in depth: crop it, or smooth it first "
-                   "(pcl::MovingLeastSquares). If "
-                   "it is your own loop: reverse it, or find it with the same normals");
+                   " has the surface on its right. If it is your own loop: reverse it, or find it with the same normals. If "
+                   "BoundaryLoops found it, the scan is no single sheet there: crop it (setCrop)");
+  return Status::success();
+}
+
+Status
+checkFoundLoops(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops)
+{
+  for (const BoundaryLoop& loop : loops)
+    if (!surfaceOnLeft(graph, loop))
+      return {StatusCode::Failed,
+              textOf("the scan is no single sheet: an edge of the surface ends in the middle of it at ", placeText(loop.curve.front()),
+                     ", ", loop.length,
+                     " mm round, so that something hangs over the surface there, such as a branch or an overhang, or the scan "
+                     "is noisy in depth: cut a part without it (setCrop), or keep the cutter out of there (addKeepOut)")};
   return Status::success();
 }
 

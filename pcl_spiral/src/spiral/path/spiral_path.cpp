@@ -174,8 +174,10 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     if (!(gap <= slack * longest_step))
       return {StatusCode::Failed,
               textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
-                     ", more than the longest step of ", longest_step,
-                     " mm: the surface is too rough or too sparse there; scan more densely or raise the longest step (setMaxStep)")};
+                     ", more than the longest step of ", longest_step, " mm, while the normal turns by ",
+                     degrees(std::acos(std::clamp(path.normals[i].dot(path.normals[i - 1]), -1.0, 1.0))),
+                     " degrees: the surface folds there, or is too rough or too sparse; leave the place out (setCrop, addKeepOut), or scan "
+                     "it more densely")};
   }
   figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
   figures.points = path.contacts.size();

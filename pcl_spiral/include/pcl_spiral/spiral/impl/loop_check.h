@@ -21,6 +21,10 @@ Status checkLoopShape(const BoundaryLoop& loop, std::size_t index);
  *  counter-clockwise round its inside, any other loop clockwise. */
 Status checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index);
 
+/** Ok if the surface lies on the left of all loops that BoundaryLoops found on it. They have it there along the triangles; where something
+ *  hangs over the surface, its own edge has points of the surface below on the other side. The message contains the place. */
+Status checkFoundLoops(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops);
+
 /** checkLoop of every loop. The message contains the loop, the place and the remedy. */
 Status checkLoops(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loops);
 

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/spiral/impl/loop_check.h>
 #include <pcl_spiral/spiral/impl/method_choice.h>
 #include <pcl_spiral/spiral/impl/settings_check.h>
 #include <pcl_spiral/spiral/impl/stage_reports.h>
@@ -18,6 +19,9 @@ Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
                                                                  RadialLineSet& lines)
 {
+  if (given_loops_.empty())
+    if (const Status status = checkFoundLoops(surface->graph(), loops); !status.ok())
+      return status;
   RadialLines<PointInT, PointNT> radial;
   radial.setInputSurface(surface);
   radial.setBoundaryLoops(loops);
