@@ -9,10 +9,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -108,5 +110,38 @@ TEST(ReachMap, IsThatOfTheGrooveInEveryFormat)
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (std::size_t k = 0; k < 4; ++k)
         ASSERT_NEAR(same[i][k], rows[i][k], 1e-4) << file << ' ' << i;
+  }
+}
+
+TEST(ReachMap, AndThePathAgreeOnGroovesOfAFewSpacings)
+{
+  const double height = 1.2, length = 10.0, spacing = 1.7; // ripples z = -height cos(2 pi x / length)
+  const double exact = length * length / (4.0 * M_PI * M_PI * height);
+  for (const unsigned int seed : {1U, 2U}) {
+    const ScratchFolder folder;
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> off(-0.35 * spacing, 0.35 * spacing);
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (double x = -24.0; x < 24.0; x += spacing)
+      for (double y = -14.0; y < 14.0; y += spacing) {
+        const double at = x + off(random), z = std::abs(at) < 1.5 * length ? -height * std::cos(2.0 * M_PI * at / length) : height;
+        cloud.push_back({static_cast<float>(at), static_cast<float>(y + off(random)), static_cast<float>(z)});
+      }
+    pcl::io::savePCDFileBinary(folder.path("scan.pcd"), cloud);
+    const RunResult result =
+        endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM,
+                           {"scan.pcd", "-o", "a.csv", "-o", "a.json", "--tool-radius", "2.5", "--scallop", "0.05", "--reach", "map.csv"},
+                           folder),
+              folder);
+    ASSERT_EQ(result.code, 0) << result.err;
+    double least = largest;
+    for (const Row& row : rowsOfText(readText(folder.path("map.csv"))))
+      least = std::min(least, row[3]);
+    const std::string report = readText(folder.path("a.json")), key = "\"fitting_radius\":";
+    const std::size_t at = report.find(key);
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_NEAR(least, std::stod(report.substr(at + key.size())), 1e-4) << seed;
+    EXPECT_LT(least, exact) << seed; // a larger one gouges
+    EXPECT_GT(least, 0.7 * exact) << seed;
   }
 }

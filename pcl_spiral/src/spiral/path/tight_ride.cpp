@@ -140,13 +140,15 @@ Ride::halveMoves()
     ;
 }
 
-/** True if the ball cuts too deep on the straight way between two places. */
+/** True if the ball cuts too deep on the straight way between two places: deeper than at both, which no place between them would mend. */
 bool
 Ride::gouges(const RiddenPoint& from, const RiddenPoint& to) const
 {
+  const double ends = std::max(reach_.excess(from.centre), reach_.excess(to.centre));
+  const double most = std::max(chord_error_, ends + 0.5 * chord_error_);
   const auto pieces = static_cast<int>(std::ceil((to.centre - from.centre).norm() / (way_step * radius_)));
   for (int k = 1; k < std::max(2, pieces); ++k)
-    if (reach_.excess(from.centre + (to.centre - from.centre) * k / std::max(2, pieces)) > chord_error_)
+    if (reach_.excess(from.centre + (to.centre - from.centre) * k / std::max(2, pieces)) > most)
       return true;
   return false;
 }
