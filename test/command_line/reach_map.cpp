@@ -141,7 +141,7 @@ TEST(ReachMap, AndThePathAgreeOnGroovesOfAFewSpacings)
     const std::size_t at = report.find(key);
     ASSERT_NE(at, std::string::npos);
     EXPECT_NEAR(least, std::stod(report.substr(at + key.size())), 1e-4) << seed;
-    EXPECT_LT(least, exact) << seed; // a larger one gouges
-    EXPECT_GT(least, 0.7 * exact) << seed;
+    EXPECT_LT(least, exact) << seed;       // a larger one gouges
+    EXPECT_GT(least, 0.5 * exact) << seed; // with points up to 1.7 spacings apart, fits err to the safe side
   }
 }
