@@ -7,6 +7,7 @@
 
 #include "core/self_crossing.h"
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
 
@@ -175,7 +176,7 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
       return {StatusCode::Failed,
               textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
                      ", more than the longest step of ", longest_step, " mm, while the normal turns by ",
-                     degrees(std::acos(std::clamp(path.normals[i].dot(path.normals[i - 1]), -1.0, 1.0))),
+                     std::acos(std::clamp(path.normals[i].dot(path.normals[i - 1]), -1.0, 1.0)) * 180.0 / pi,
                      " degrees: the surface folds there, or is too rough or too sparse; leave the place out (setCrop, addKeepOut), or scan "
                      "it more densely")};
   }
