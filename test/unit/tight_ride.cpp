@@ -260,26 +260,6 @@ TEST_P(TightRide, IsNotMuchLongerThanTheAreaNeeds)
 
 INSTANTIATE_TEST_SUITE_P(Methods, TightRide, ::testing::Values(SpiralMethod::Radial, SpiralMethod::ConstantScallop));
 
-TEST(TightRideOf, HasNoMorePointsWherePlacesOfTheBallAreAsDeepAsTheNoise)
-{
-  // In grooves of a few spacings the ball rests deeper in the fitted surface than the chord error. More points would not mend that.
-  const double height = 1.6, length = 8.0, spacing = 1.7, ball = 4.0;
-  const auto cloud = pcl::make_shared<Cloud>();
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> off(-0.35 * spacing, 0.35 * spacing);
-  for (double x = -24.0; x < 24.0; x += spacing)
-    for (double y = -14.0; y < 14.0; y += spacing) {
-      const double at = x + off(random), z = std::abs(at) < 1.5 * length ? -height * std::cos(2.0 * M_PI * at / length) : height;
-      cloud->push_back({static_cast<float>(at), static_cast<float>(y + off(random)), static_cast<float>(z)});
-    }
-  const Made made = pathOver(cloud, SpiralMethod::Radial, ball);
-  double length_of_path = 0.0;
-  for (std::size_t i = 1; i < made.path->size(); ++i)
-    length_of_path += ((*made.path)[i].getVector3fMap() - (*made.path)[i - 1].getVector3fMap()).norm();
-  EXPECT_GT(made.report.lifted_length, 100.0);
-  EXPECT_LT(static_cast<double>(made.path->size()), 10.0 * length_of_path); // of mm
-}
-
 TEST(TightRideOf, TheSamePartInAnyOrderOrPlaceLeavesTheSame)
 {
   const TightPart part = valley(0.7, 3.0, 12.0, 12.0);
