@@ -57,29 +57,25 @@ addPartAt(const Scene& scene, const std::string& said, std::vector<Remedy>& reme
   }
 }
 
-/** Polygons about what stands in the way. */
+/** Polygons about what stands there, a little wider. */
 void
 addExtents(const std::string& said, const std::string& prefix, const ScratchFolder& folder, std::vector<Remedy>& remedies)
 {
+  const Vector2d wider = Vector2d::Constant(0.5); // mm
   Remedy remedy{"--keep-out", {}};
   for (const std::smatch& match : matches(said, "from " + place + " to " + place))
-    addKeepOut(placeOf(match, 1).head<2>(), placeOf(match, 4).head<2>(), prefix, folder, remedy);
+    addKeepOut(placeOf(match, 1).head<2>() - wider, placeOf(match, 4).head<2>() + wider, prefix, folder, remedy);
   if (!remedy.arguments.empty())
     remedies.push_back(remedy);
 }
 
-/** What is said of clusters: ride over them, or squares about them. */
+/** What is said of clusters: ride over them, or polygons about them. */
 void
 addClusters(const std::string& said, const std::string& prefix, const ScratchFolder& folder, std::vector<Remedy>& remedies)
 {
   remedies.push_back({"--clusters ride", {"--clusters", "ride"}});
-  Remedy remedy{"--keep-out", {}};
-  for (const std::smatch& match : matches(said, "points at " + place + ", " + number + " mm across")) {
-    const Vector2d middle = placeOf(match, 1).head<2>(), aside = Vector2d::Constant(0.5 * std::stod(match[4]) + 0.5);
-    addKeepOut(middle - aside, middle + aside, prefix, folder, remedy);
-  }
-  if (!remedy.arguments.empty() && !std::regex_search(said, std::regex("and [0-9]+ more")))
-    remedies.push_back(remedy);
+  if (!std::regex_search(said, std::regex("and [0-9]+ more")))
+    addExtents(said, prefix, folder, remedies);
 }
 
 /** The keep-outs of \p arguments again, larger by as much as the message says: boxes about them. */

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <random>
 #include <sstream>
 
@@ -103,7 +104,8 @@ TEST_F(Clusters, TheRefusalNamesTheThingAndItsRemediesWork)
 {
   const RunResult refused = plan({});
   EXPECT_EQ(refused.code, 1);
-  for (const char* words : {"9 points at (", " mm high; ", "ride over it (--clusters ride)", "(--clusters leave-out)", "(--keep-out)"})
+  for (const char* words :
+       {"9 points at (", " mm high, from (", "ride over it (--clusters ride)", "(--clusters leave-out)", "(--keep-out)"})
     EXPECT_TRUE(has(refused.err, words)) << words << ": " << refused.err;
   const RunResult ridden = plan({"--clusters", "ride", "--verify", "--max-gouge", "0.02"});
   ASSERT_EQ(ridden.code, 0) << ridden.err;
@@ -114,6 +116,21 @@ TEST_F(Clusters, TheRefusalNamesTheThingAndItsRemediesWork)
   EXPECT_TRUE(has(readText(folder_.path("a.json")), "\"under_cluster\": true"));
   ASSERT_EQ(plan({"--clusters", "leave-out"}).code, 0);
   EXPECT_GT(deepest(), 3.0);
+  Vector3d low, high;
+  const std::string extent = refused.err.substr(refused.err.find("high, from ("));
+  ASSERT_EQ(std::sscanf(extent.c_str(), "high, from (%lf, %lf, %lf) to (%lf, %lf, %lf)", &low.x(), &low.y(), &low.z(), &high.x(), &high.y(),
+                        &high.z()),
+            6)
+      << extent;
+  for (const Vector3d& p : thing_)
+    EXPECT_TRUE(((p - low).array() > -1e-3).all() && ((high - p).array() > -1e-3).all()) << p.transpose();
+  std::ostringstream polygon;
+  polygon << low.x() - 0.5 << ' ' << low.y() - 0.5 << '\n' << high.x() + 0.5 << ' ' << low.y() - 0.5 << '\n';
+  polygon << high.x() + 0.5 << ' ' << high.y() + 0.5 << '\n' << low.x() - 0.5 << ' ' << high.y() + 0.5 << '\n';
+  writeText(folder_.path("keep.txt"), polygon.str());
+  const RunResult kept_out = plan({"--keep-out", "keep.txt"});
+  ASSERT_EQ(kept_out.code, 0) << kept_out.err;
+  EXPECT_LE(deepest(), 1e-4);
 }
 
 TEST_F(Clusters, VerifyNamesTheThingAndFindsAPathThroughIt)

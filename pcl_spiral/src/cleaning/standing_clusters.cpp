@@ -150,17 +150,23 @@ struct StandingSet {
   }
 };
 
+Eigen::AlignedBox3d
+boxOf(const StandingCluster& cluster)
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& point : cluster.positions)
+    box.extend(point.cast<double>());
+  return box;
+}
+
 /** Sets place and size of \p cluster. */
 void
 measure(StandingCluster& cluster)
 {
-  Eigen::AlignedBox3d box;
   cluster.place.setZero();
-  for (const Eigen::Vector3f& point : cluster.positions) {
-    box.extend(point.cast<double>());
+  for (const Eigen::Vector3f& point : cluster.positions)
     cluster.place += point.cast<double>() / static_cast<double>(cluster.positions.size());
-  }
-  cluster.size = box.diagonal().norm();
+  cluster.size = boxOf(cluster).diagonal().norm();
 }
 
 std::vector<StandingCluster>
@@ -293,9 +299,11 @@ clustersText(const std::vector<StandingCluster>& clusters)
   constexpr std::size_t most_named = 4;
   const std::size_t count = clusters.size();
   std::string list = textOf(count, count == 1 ? " cluster of points stands" : " clusters of points stand", " off the surface: ");
-  for (std::size_t i = 0; i < std::min(count, most_named); ++i)
+  for (std::size_t i = 0; i < std::min(count, most_named); ++i) {
+    const Eigen::AlignedBox3d box = boxOf(clusters[i]);
     list += textOf(i > 0 ? ", " : "", clusters[i].indices.size(), " points at ", placeText(clusters[i].place), ", ", clusters[i].size,
-                   " mm across and ", clusters[i].height, " mm high");
+                   " mm across and ", clusters[i].height, " mm high, from ", placeText(box.min()), " to ", placeText(box.max()));
+  }
   if (count > most_named)
     list += textOf(" and ", count - most_named, " more");
   return list;

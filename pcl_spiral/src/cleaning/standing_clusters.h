@@ -36,7 +36,8 @@ struct StandingPoints {
  *  points of the graph that are not doubtful. */
 StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points);
 
-/** "9 clusters of points stand off the surface: 6 points at (1, 2, 3), 10 mm across and 5.4 mm high, ... and 5 more" */
+/** "9 clusters of points stand off the surface: 6 points at (1, 2, 3), 10 mm across and 5.4 mm high, from (-3, 0, 2) to (5, 4, 3), ...
+ *  and 5 more" */
 std::string clustersText(const std::vector<StandingCluster>& clusters);
 
 /** Refuses a scan with \p clusters, with what can be done about them. */
