@@ -164,6 +164,21 @@ TEST(StandingClusters, AThingThatHidesTheSurfaceIsOneClusterOfAllItsPoints)
   }
 }
 
+TEST(StandingClusters, ALastPointFartherFromTheOthersBelongsToThem)
+{
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+    const Cloud::Ptr cloud = dome(seed);
+    std::mt19937 random(seed);
+    put(*cloud, {3, 4.0, 2.0, 0.0}, random);
+    add(*cloud, onDome(4.9, 0.5, 4.5)); // alone it looks like a single echo
+    Surface::ConstPtr surface;
+    ASSERT_TRUE(statusOf(cloud, ClusterHandling::Ride, &surface).ok());
+    ASSERT_EQ(surface->clusters().size(), 1U) << seed;
+    EXPECT_EQ(surface->clusters().front().positions.size(), 4U) << seed;
+    EXPECT_NEAR(surface->clusters().front().height, 4.5, 0.1) << seed;
+  }
+}
+
 TEST(StandingClusters, PointsFarApartInOnePlaceAreOneToo)
 {
   // Each three to five spacings from the next: alone they look like single echoes.

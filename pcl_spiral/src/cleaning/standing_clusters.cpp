@@ -218,7 +218,7 @@ clustersOf(const StandingSet& standing, const std::vector<std::uint8_t>& is_far,
   return clusters;
 }
 
-/** Adds each of \p groups, not over the surface, that is within \p reach of one of \p clusters to the nearest one. */
+/** Adds each of \p groups that is within \p reach of one of \p clusters to the nearest one. */
 void
 joinToClusters(const std::vector<StandingCluster>& groups, double reach, std::vector<StandingCluster>& clusters)
 {
@@ -246,6 +246,7 @@ joinToClusters(const std::vector<StandingCluster>& groups, double reach, std::ve
     StandingCluster& own = clusters[nearest];
     own.indices.insert(own.indices.end(), group.indices.begin(), group.indices.end());
     own.positions.insert(own.positions.end(), group.positions.begin(), group.positions.end());
+    own.height = std::max(own.height, group.height);
     measure(own);
   }
 }
@@ -284,7 +285,14 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
   std::nth_element(sizes.begin(), middle, sizes.end());
   found.median_height = *middle;
   found.clusters = clustersOf(standing, is_far, spacing, static_cast<double>(sure.blocks.size()) * spacing * spacing);
-  joinToClusters(groupsOf(others, link * spacing), link * spacing, found.clusters);
+  std::vector<std::uint8_t> is_in_cluster(points.size(), 0);
+  for (const StandingCluster& cluster : found.clusters)
+    for (const std::uint32_t i : cluster.indices)
+      is_in_cluster[i] = 1;
+  for (std::size_t k = 0; k < standing.points.size(); ++k)
+    if (is_in_cluster[standing.members[k]] == 0)
+      others.add(standing.points[k], standing.members[k], standing.heights[k]);
+  joinToClusters(groupsOf(others, link * spacing), loose_link * spacing, found.clusters);
   for (StandingCluster& cluster : found.clusters)
     cluster.hides_surface =
         std::any_of(cluster.indices.begin(), cluster.indices.end(), [&heights](std::uint32_t i) { return heights[i].hides; });
