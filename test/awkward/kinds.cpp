@@ -79,8 +79,8 @@ clampOnPart(Scene& s, test::Random& random)
   Vector3d on = innerPlace(*s.part, 3.0, random);
   for (int i = 0; i < 100 && clamp.covers(on.head<2>(), 3.0); ++i)
     on = innerPlace(*s.part, 3.0, random);
-  s.steps = {{{}, Outcome::PathOrRefusal, {"at ("}},
-             {{"--part-at", s.place(on)}, Outcome::PathOrRefusal, {"at ("}},
+  s.steps = {{{}, Outcome::PathOrRefusal, {"at (|over (|through ("}},
+             {{"--part-at", s.place(on)}, Outcome::PathOrRefusal, {"at (|over (|through ("}},
              {{"--part-at", s.place(on), "--keep-out", "keep.txt"}, Outcome::Path, {}}};
 }
 
@@ -233,7 +233,7 @@ cluster(Scene& s, test::Random& random)
   const double around = 2.0 * s.radius + 4.0;
   s.exempt = [below, around](const Vector3d& x) { return (x - below).norm() < around; };
   s.exempt_kept_out = [below, around, height](const Vector3d& x) { return (x - below).norm() < around + 4.0 + 0.5 * height; };
-  s.steps = {{{}, Outcome::PathOrRefusal, {"at ("}}};
+  s.steps = {{{}, Outcome::PathOrRefusal, {"at (|over (|through ("}}};
 }
 
 /** Single echoes far from each other, which the program removes. */
@@ -274,7 +274,7 @@ trees(Scene& s, test::Random& random)
   s.exempt = [feet](const Vector3d& x) {
     return std::any_of(feet.begin(), feet.end(), [&](const auto& foot) { return (x - foot.first).norm() < foot.second; });
   };
-  s.steps = {{{}, Outcome::PathOrRefusal, {"at ("}}};
+  s.steps = {{{}, Outcome::PathOrRefusal, {"at (|over (|through ("}}};
 }
 
 const std::map<std::string, std::function<void(Scene&, test::Random&)>>&

@@ -104,6 +104,7 @@ remediesOf(const Scene& scene, const std::vector<std::string>& arguments, const 
            const ScratchFolder& folder)
 {
   const auto names = [&](const std::string& words) { return said.find(words) != std::string::npos; };
+  const auto given = [&](const char* option) { return std::find(arguments.begin(), arguments.end(), option) != arguments.end(); };
   std::vector<Remedy> remedies;
   if (names("(--part-at)"))
     addPartAt(scene, said, remedies);
@@ -115,9 +116,13 @@ remediesOf(const Scene& scene, const std::vector<std::string>& arguments, const 
     addLarger(arguments, said, prefix, folder, remedies);
   if (names("tilt the tool less"))
     remedies.push_back({"--tilt 0", {"--tilt", "0"}});
-  if (names("choose the radial method (--method)"))
+  if (names("the radial method (--method)") && !given("--method"))
     remedies.push_back({"--method radial", {"--method", "radial"}});
-  for (const std::smatch& match : matches(said, "use a smaller tool: a radius of " + number + " mm"))
+  if (names("choose the other sense (--sense)") && !given("--sense"))
+    remedies.push_back({"--sense cw", {"--sense", "cw"}});
+  if (names("(--one-way)") && !given("--one-way"))
+    remedies.push_back({"--one-way", {"--one-way"}});
+  for (const std::smatch& match : matches(said, "use a smaller tool(?: \\(--tool-radius\\))?: a radius of " + number + " mm"))
     remedies.push_back({"--tool-radius", {}, std::stod(match[1])});
   return remedies;
 }

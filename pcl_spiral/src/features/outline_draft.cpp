@@ -57,6 +57,13 @@ OutlineDraft::pointsBetween(std::size_t from, std::size_t to) const
   return result;
 }
 
+/** Length of the ring from one of its points to another, mm. */
+double
+OutlineDraft::ringBetween(std::size_t from, std::size_t to) const
+{
+  return to > from ? at_[to] - at_[from] : at_[to] + at_.back() - at_[from];
+}
+
 /** Points of the edge once round, starting at a point of the ring. */
 std::vector<ExpectedPoint>
 OutlineDraft::edgeFrom(std::size_t from) const
@@ -74,8 +81,7 @@ OutlineDraft::edgeFrom(std::size_t from) const
 std::vector<ExpectedPoint>
 OutlineDraft::edgeBetween(std::size_t from, std::size_t to, double beyond) const
 {
-  const double whole = at_.back();
-  const double span = to > from ? at_[to] - at_[from] : at_[to] + whole - at_[from];
+  const double whole = at_.back(), span = ringBetween(from, to);
   beyond = std::min(beyond, 0.5 * whole);
   std::vector<ExpectedPoint> result;
   for (const EdgePoint& p : edge_) {
@@ -109,7 +115,7 @@ OutlineDraft::firstFit(std::size_t c) const
       points.push_back(p);
   if (nodes.size() >= 5)
     start.nodes = std::move(nodes);
-  return fitSide(surface_, spacing_, std::move(start), std::move(points));
+  return fitSide(surface_, spacing_, std::move(start), std::move(points), ringBetween(a.point, b.point));
 }
 
 /** Fit a side from one corner to another, \p start, with points beyond a re-entrant corner if they belong to it. */
@@ -135,7 +141,7 @@ OutlineDraft::fitBetween(std::size_t from, std::size_t to, OutlineSide start) co
   for (const ExpectedPoint& p : edgeBetween(a.point, b.point, beyond * spacing_))
     if (own(p.position))
       points.push_back(p);
-  return fitSide(surface_, spacing_, std::move(start), std::move(points));
+  return fitSide(surface_, spacing_, std::move(start), std::move(points), ringBetween(a.point, b.point));
 }
 
 void
@@ -184,7 +190,7 @@ void
 OutlineDraft::fitClosed()
 {
   corners.clear();
-  sides.assign(1, fitSide(surface_, spacing_, smoothSide(points_, true, spacing_), edgeFrom(0)));
+  sides.assign(1, fitSide(surface_, spacing_, smoothSide(points_, true, spacing_), edgeFrom(0), at_.back()));
 }
 
 FittedSide
@@ -193,7 +199,7 @@ OutlineDraft::merged(std::size_t c) const
   Polyline line = trimmed(preceding(c)).nodes;
   if (corners.size() == 1) {
     line.pop_back();
-    return fitSide(surface_, spacing_, smoothSide(line, true, spacing_), edgeFrom(corners[c].point));
+    return fitSide(surface_, spacing_, smoothSide(line, true, spacing_), edgeFrom(corners[c].point), at_.back());
   }
   const Polyline rest = trimmed(c).nodes;
   line.insert(line.end(), rest.begin() + 1, rest.end());

@@ -57,6 +57,7 @@ public:
 
 private:
   Polyline pointsBetween(std::size_t from, std::size_t to) const;
+  double ringBetween(std::size_t from, std::size_t to) const;
   std::vector<ExpectedPoint> edgeFrom(std::size_t from) const;
   std::vector<ExpectedPoint> edgeBetween(std::size_t from, std::size_t to, double beyond) const;
   FittedSide firstFit(std::size_t c) const;

@@ -183,7 +183,7 @@ layOnSurface(const MlsSurface& surface, OutlineSide& side)
 }
 
 FittedSide
-fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points)
+fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points, double ring)
 {
   constexpr double largest_move = 4.0, largest_growth = 3.0;
   constexpr std::ptrdiff_t first_reach = 40, reach = 12; // nodes
@@ -191,7 +191,7 @@ fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vecto
   FittedSide fitted;
   fitted.side = std::move(start);
   const OutlineSide first = fitted.side;
-  const double longest = largest_growth * length(first.nodes, first.closed);
+  const double longest = largest_growth * ring;
   EdgeOptions options;
   options.spacing = spacing;
   options.wavelength = wavelengths[2];

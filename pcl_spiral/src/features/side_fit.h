@@ -47,7 +47,8 @@ struct ExpectedPoint {
   double share;
 };
 
-/** Fit a side to the edge of \p points, starting from \p start. */
-FittedSide fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points);
+/** Fit a side to the edge of \p points, starting from \p start, along \p ring (mm) of the points round the edge. A side that grows to a
+ *  multiple of that is no fit: its \p outside is infinite. */
+FittedSide fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points, double ring);
 
 } // namespace pcl_spiral

@@ -168,7 +168,7 @@ keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const St
   region.setToolRadius(tool.radius);
   region.setShank(shank_radii * tool.radius, tool.lean);
   region.setObstacles(from.part.kept_out);
-  region.setMargin(surface->spacing()); // the outline may lie up to a spacing beyond the last points
+  region.setMargin(surface->spacing() + from.choice.margin); // the outline may lie up to a spacing beyond the last points
   pcl::Indices kept = selectedBy(region, from);
   figures.too_close = region.getFigures().too_close;
   const std::vector<UncutStrip> narrow =

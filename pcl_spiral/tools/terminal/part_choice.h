@@ -23,6 +23,7 @@ struct PartChoice {
   std::string crop;                       ///< a box, or the file of a polygon
   std::string region;                     ///< the file of a polygon; empty: all that the crop leaves
   std::vector<std::string> keep_outs;     ///< files of polygons
+  double margin = 0.0;                    ///< how much farther from the keep-outs than one spacing the ball stays, mm
   pcl_spiral::ClusterHandling clusters = pcl_spiral::ClusterHandling::Refuse;
 
   bool cuts() const { return !crop.empty() || !region.empty() || !keep_outs.empty(); } ///< whether points are left out by their place

@@ -259,6 +259,29 @@ plannedWithLeastUncut(const Job& job, ProgressBar& bar, const Result& input)
   }
 }
 
+/** The same. Where the outline lies farther beyond the last points than is usual, the ball enters a keep-out: then it stays farther away
+ *  from all of them. */
+Result
+plannedBesideKeepOuts(Job job, ProgressBar& bar, const Result& input)
+{
+  constexpr int most_runs = 3;
+  constexpr double more = 2.0; // times the depth: the outline is another one then
+  for (int run = 1;; ++run)
+    try {
+      Result result = plannedWithLeastUncut(job, bar, input);
+      if (job.part.margin > 0.0)
+        result.report.warnings.push_back(textOf("the ball stays ", job.part.margin,
+                                                " mm farther from the keep-outs than it must: nearer, the ",
+                                                "path, which runs a little beyond the last points, would enter one"));
+      return result;
+    }
+    catch (const EntersKeepOut& entry) {
+      if (run == most_runs)
+        throw;
+      job.part.margin += more * entry.depth();
+    }
+}
+
 } // namespace
 
 Result
@@ -275,7 +298,7 @@ plan(const Job& job)
   for (const NamedRegion& region : named) {
     Job one = job;
     one.part = region.part;
-    regions.push_back(inRegion(region.name, [&] { return plannedWithLeastUncut(one, bar, input); }));
+    regions.push_back(inRegion(region.name, [&] { return plannedBesideKeepOuts(one, bar, input); }));
     regions.back().region = region.name;
   }
   Result result = regions.size() == 1 ? std::move(regions.front()) : joined(job, input, std::move(regions));

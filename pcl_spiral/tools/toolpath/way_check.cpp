@@ -2,7 +2,6 @@
 #include "way_check.h"
 
 #include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/io/file_error.h>
 
 #include "verify/ball_way.h"
 #include "verify/things_in_the_way.h"
@@ -85,8 +84,10 @@ checkWay(const Job& job, Result& result)
   constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   const double radius = job.settings.tool_radius, allowed = job.settings.chord_error + deviations * result.report.noise;
   if (const auto entry = deepestEntry(*result.path, ballCentres(*result.path, radius), radius, result.part.keep_outs))
-    throw FileError(job.scan, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
-                                     ": enlarge the polygon there by that much (--keep-out)"));
+    throw EntersKeepOut(job.scan,
+                        textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
+                               ": enlarge the polygon there by that much (--keep-out)"),
+                        entry->depth);
   const auto isFree = [&](const pcl::PointCloud<ToolpathPoint>& path) {
     const auto cut = deepestPoint(path, radius, result.part.kept_out);
     return !cut || cut->depth <= allowed;

@@ -7,6 +7,19 @@
 #include "job.h"
 #include "outputs.h"
 
+#include <pcl_spiral/io/file_error.h>
+
+/** A path on which the ball enters a keep-out. */
+class EntersKeepOut : public pcl_spiral::FileError {
+public:
+  EntersKeepOut(const std::string& file, const std::string& reason, double depth) : FileError(file, reason), depth_(depth) {}
+  double depth() const { return depth_; } ///< mm
+
+private:
+  double depth_;
+};
+
 /** Warns of single points beside the part in the way, which are taken for false echoes.
- *  \throw pcl_spiral::FileError if the ball enters a keep-out, or cuts into the scan beside it or beside the crop */
+ *  \throw EntersKeepOut
+ *  \throw pcl_spiral::FileError if the shank cuts into what stands in a keep-out, or ball or shank into the scan beside the part */
 void checkWay(const Job& job, Result& result);

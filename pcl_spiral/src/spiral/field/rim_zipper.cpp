@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -162,6 +163,18 @@ std::vector<Triangulation::Triangle>
 zipped(const ZipperSide& edge, const ZipperSide& outline, double length, double spacing)
 {
   return Zipper(edge, outline, length, spacing).solve();
+}
+
+Polyline
+pointsApart(const ZipperSide& edge, const ZipperSide& outline, double spacing)
+{
+  constexpr double far = 4.0; // spacings
+  Polyline apart;
+  for (const auto& [side, other] : {std::pair(&edge, &outline), std::pair(&outline, &edge)})
+    for (const Eigen::Vector3d& p : side->points)
+      if (std::none_of(other->points.begin(), other->points.end(), [&](const auto& q) { return (q - p).norm() < far * spacing; }))
+        apart.push_back(p);
+  return apart;
 }
 
 } // namespace pcl_spiral

@@ -25,4 +25,7 @@ struct ZipperSide {
  *  none. */
 std::vector<Triangulation::Triangle> zipped(const ZipperSide& edge, const ZipperSide& outline, double length, double spacing);
 
+/** The points of each side that are farther than four spacings from the other. */
+Polyline pointsApart(const ZipperSide& edge, const ZipperSide& outline, double spacing);
+
 } // namespace pcl_spiral

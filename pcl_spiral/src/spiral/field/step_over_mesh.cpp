@@ -213,22 +213,24 @@ MeshMaker::zip(std::size_t outline)
 {
   ZipperSide edge;
   const std::size_t best = edgeAlong(outline, edge);
-  const std::string remedy = "; the scan is too sparse or ragged there for a path at constant scallop: scan it again, more "
-                             "densely, or choose the radial method (setMethod)";
+  const std::string remedy = "; the scan is too sparse or ragged there for a path at constant scallop: scan it again, more densely, ";
+  const std::string radial = "choose the radial method (setMethod)";
   if (best == edges_.size())
     if (const Status status = refuseNarrowStrip(outlines_, outline, spacing_); !status.ok())
       return status;
   if (best == edges_.size())
     return {StatusCode::Failed,
-            textOf("no edge of the mesh runs along the outline through ", placeText(outlines_[outline].curve.front()), remedy)};
+            textOf("no edge of the mesh runs along the outline through ", placeText(outlines_[outline].curve.front()), remedy,
+                   keepOutText(outlines_[outline].type == LoopType::Outer ? Polyline() : outlines_[outline].curve), radial)};
   edge_used_[best] = 1;
   ZipperSide rim;
   addOutline(outline, rim);
   const double whole = length(outlines_[outline].curve, true);
   const std::vector<Triangle> strip = zipped(edge, rim, whole, spacing_);
   if (strip.empty())
-    return {StatusCode::Failed, textOf("the edge of the mesh follows the outline through ", placeText(outlines_[outline].curve.front()),
-                                       " over less than ", 100.0 * least_zipped, " % of its length", remedy)};
+    return {StatusCode::Failed,
+            textOf("the edge of the mesh follows the outline through ", placeText(outlines_[outline].curve.front()), " over less than ",
+                   100.0 * least_zipped, " % of its length", remedy, keepOutText(pointsApart(edge, rim, spacing_)), radial)};
   triangles_.insert(triangles_.end(), strip.begin(), strip.end());
   return Status::success();
 }

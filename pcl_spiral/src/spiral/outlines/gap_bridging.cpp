@@ -3,6 +3,7 @@
 
 #include "surface/gap_filling.h"
 #include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/features/impl/surface_parts.h>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
 
@@ -228,6 +229,22 @@ private:
   BoundaryChoice choice_;
 };
 
+/** Refuse a surface that falls apart once its gaps are bridged: what stands on a part hangs on it by a few triangles beside a gap. */
+Status
+checkHoldsTogether(const SurfaceGraph& graph)
+{
+  const std::vector<SurfacePart> parts = surfaceParts(graph).parts;
+  if (const OtherParts others = otherParts(parts, largest_speck); others == OtherParts::None || others == OtherParts::Specks)
+    return Status::success();
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    box.extend(parts[i].box);
+  return {StatusCode::InvalidInput,
+          textOf("the surface falls apart where gaps in the scan are bridged: ", partsText(parts),
+                 ". Something stands on the part there: keep the cutter out of it with a polygon that covers it, from ",
+                 placeText(box.min()), " to ", placeText(box.max()), " (addKeepOut)")};
+}
+
 Status
 bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options, const ProgressCallback& progress,
        LoopOrigin origin, BridgedSurface& bridged)
@@ -246,6 +263,8 @@ bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const 
     return bridging.checkBoundaries();
   }
   if (const Status status = addPoints(std::move(surface), bridges, bridged.surface); !status.ok())
+    return status;
+  if (const Status status = checkHoldsTogether(bridged.surface->graph()); !status.ok())
     return status;
   if (const Status status = bridging.findAgain(partOf(progress, begin, 1.0, "boundaries")); !status.ok())
     return status;

@@ -67,4 +67,16 @@ refuseNarrowStrip(const std::vector<BoundaryLoop>& outlines, std::size_t of, dou
                  placeText(box.min()), " to ", placeText(box.max()), " (addKeepOut), or choose the radial method (setMethod)")};
 }
 
+std::string
+keepOutText(const Polyline& places)
+{
+  if (places.empty())
+    return "";
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : places)
+    box.extend(p);
+  return textOf("keep the cutter out of what stands there with a polygon that covers it, from ", placeText(box.min()), " to ",
+                placeText(box.max()), " (addKeepOut), or ");
+}
+
 } // namespace pcl_spiral

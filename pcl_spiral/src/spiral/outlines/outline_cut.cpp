@@ -2,6 +2,7 @@
 #include "outline_cut.h"
 
 #include "handle_loop.h"
+#include "narrow_strip.h"
 
 #include <pcl_spiral/common/impl/message.h>
 
@@ -147,8 +148,8 @@ dropHandle(const StepOverMesh& mesh, const Triangulation& rest, double spacing, 
   if (way.empty() || length(points, true) > longest_noise_handle * spacing)
     return {StatusCode::Failed, textOf("the surface has a handle at ", placeText(points.empty() ? mesh.positions.front() : points.front()),
                                        ", ", points.empty() ? 0.0 : length(points, true),
-                                       " mm round: a path at constant scallop needs a sheet with only a rim and holes; cut the part "
-                                       "into pieces")};
+                                       " mm round: a path at constant scallop needs a sheet with only a rim and holes; ",
+                                       keepOutText(points), "cut the part into pieces")};
   for (const std::uint32_t v : way)
     dead[v] = 1;
   dropped = true;

@@ -2,6 +2,7 @@
 #include "tight_ride.h"
 
 #include "path_feet.h"
+#include "spiral/outlines/narrow_strip.h"
 #include "straightened_ride.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -36,8 +37,8 @@ public:
   void halveMoves();
   void joinJumps();
   void straighten();
-  /** The first point without a free place; null if there is none. */
-  const RiddenPoint* unfree() const;
+  /** The points without a free place. */
+  std::vector<RiddenPoint> unfree() const;
   void write(SpiralPath& path) const;
 
 private:
@@ -197,11 +198,13 @@ Ride::straighten()
   points_ = straightenedRide(points_, reach_, {chord_error_, aside_share * step_over_, hairpin_share * step_over_, longest_});
 }
 
-const RiddenPoint*
+std::vector<RiddenPoint>
 Ride::unfree() const
 {
-  const auto found = std::find_if(points_.begin(), points_.end(), [](const RiddenPoint& point) { return !point.centre.allFinite(); });
-  return found == points_.end() ? nullptr : &*found;
+  std::vector<RiddenPoint> found;
+  std::copy_if(points_.begin(), points_.end(), std::back_inserter(found),
+               [](const RiddenPoint& point) { return !point.centre.allFinite(); });
+  return found;
 }
 
 void
@@ -221,6 +224,24 @@ Ride::write(SpiralPath& path) const
   }
 }
 
+/** The refusal of a ball that rests nowhere over the points \p unfree. */
+Status
+unfreeRefusal(const std::vector<RiddenPoint>& unfree, const BallReach& reach, double tool_radius)
+{
+  constexpr double share = 0.9; // of the largest ball that reaches them
+  double largest = tool_radius;
+  Polyline feet;
+  for (const RiddenPoint& point : unfree) {
+    largest = std::min(largest, reach.reach(point.foot, point.normal));
+    feet.push_back(point.foot);
+  }
+  return {StatusCode::Failed,
+          textOf("the ball of radius ", tool_radius, " mm finds no free place over ", placeText(feet.front()), " in turn ",
+                 unfree.front().turn, feet.size() > 1 ? textOf(", nor at ", feet.size() - 1, " more places") : "",
+                 ": the surface closes round it; ", keepOutText(feet), "use a smaller tool (setToolRadius): a radius of ", share * largest,
+                 " mm reaches there")};
+}
+
 } // namespace
 
 Status
@@ -233,16 +254,13 @@ rideTightPlaces(const Surface& surface, const BallReach* given, const SpiralSett
   Ride ride(surface, reach, settings, longest_step);
   if (!ride.take(path))
     return Status::success();
-  if (!ride.unfree()) {
-    ride.halveMoves();
-    ride.joinJumps();
-    ride.straighten();
-  }
-  if (const RiddenPoint* const point = ride.unfree())
-    return {StatusCode::Failed,
-            textOf("the ball of radius ", settings.tool_radius, " mm finds no free place over ", placeText(point->foot), " in turn ",
-                   point->turn, ": the surface closes round it; use a smaller tool (setToolRadius): a radius of ",
-                   0.9 * reach.reach(point->foot, point->normal), " mm reaches that place")};
+  if (const std::vector<RiddenPoint> unfree = ride.unfree(); !unfree.empty())
+    return unfreeRefusal(unfree, reach, settings.tool_radius);
+  ride.halveMoves();
+  ride.joinJumps();
+  ride.straighten();
+  if (const std::vector<RiddenPoint> unfree = ride.unfree(); !unfree.empty())
+    return unfreeRefusal(unfree, reach, settings.tool_radius);
   ride.write(path);
   return Status::success();
 }
