@@ -149,3 +149,30 @@ TEST(HopelessScans, ManyPointsOverTheChosenPartAreRefused)
   EXPECT_FALSE(chosen.status.ok());
   EXPECT_NE(chosen.status.message().find("are isolated"), std::string::npos) << chosen.status.message();
 }
+
+TEST(HopelessScans, NoiseOfAnotherPartIsNotThatOfThePart)
+{
+  const auto rough = [](double height) { return Vector3d(0.0, 0.0, 1.2 * spacing * height); };
+  const auto twoSheets = [](double height) { return Vector3d(0.0, 0.0, height > 0.0 ? spacing : 0.0); };
+  for (const std::function<Vector3d(double)>& other :
+       {std::function<Vector3d(double)>(rough), std::function<Vector3d(double)>(twoSheets)}) {
+    const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+    const auto add = [&](const Eigen::Vector3f& p) { cloud->emplace_back(p.x(), p.y(), p.z()); };
+    for (const Eigen::Vector3f& p : drawn([](const auto&unit, const auto&) { return wave(50.0 * unit(), 50.0 * unit()); }))
+      add(p);
+    for (const Eigen::Vector3f& p : drawn([&](const auto&unit, const auto&gauss) {
+           return Vector3d(Vector3d(150.0 + 50.0 * unit(), 50.0 * unit(), 0.0) + other(gauss()));
+         }))
+      add(p);
+    ScannedSurface<pcl::PointXYZ> scanned;
+    scanned.setInputCloud(cloud);
+    scanned.setQuiet(true);
+    Surface::ConstPtr surface;
+    scanned.compute(surface);
+    EXPECT_NE(scanned.getStatus().message().find("separate parts"), std::string::npos) << scanned.getStatus().message();
+    EXPECT_NE(scanned.getStatus().message().find("(setPartAt)"), std::string::npos) << scanned.getStatus().message();
+    scanned.setPartAt(Vector3d::Zero());
+    scanned.compute(surface);
+    EXPECT_TRUE(scanned.getStatus().ok()) << scanned.getStatus().message();
+  }
+}

@@ -23,14 +23,13 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
   counts.left_out_triangles = all - sizes[0];
   const std::vector<SurfacePart> parts = sizes.size() > 1 ? surfaceParts(graph).parts : std::vector<SurfacePart>();
   const OtherParts others = otherParts(parts, options.largest_left_out);
-  if (others == OtherParts::TooLarge || others == OtherParts::TooMany) {
-    const bool large = others == OtherParts::TooLarge;
+  if (others == OtherParts::TooLarge || others == OtherParts::TooMany)
     return {StatusCode::InvalidInput,
-            textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),
-                   large ? "; keep only the largest one (setLargestPart), or only the one to be machined, by a place on it (setPartAt)"
-                         : "; this is too many: the scan is disconnected, so scan more densely, or keep only the "
-                           "largest part (setLargestPart)")};
-  }
+            others == OtherParts::TooLarge
+                ? severalPartsText(parts)
+                : textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),
+                         "; this is too many: the scan is disconnected, so scan more densely, or keep only the largest part "
+                         "(setLargestPart)")};
   if (sizes.size() > 1) {
     const std::vector<std::uint8_t> apart = apartFrom(graph, found, 0);
     counts.left_out_points = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));

@@ -113,6 +113,13 @@ partsText(const std::vector<SurfacePart>& parts)
   return list;
 }
 
+std::string
+severalPartsText(const std::vector<SurfacePart>& parts)
+{
+  return textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),
+                "; keep only the largest one (setLargestPart), or only the one to be machined, by a place on it (setPartAt)");
+}
+
 std::vector<std::uint8_t>
 apartFrom(const SurfaceGraph& graph, const SurfaceParts& parts, std::size_t part)
 {

@@ -28,6 +28,17 @@ choosePart(const SurfaceGraph& graph, const SurfaceParts& found, const SurfaceSe
                  found.parts.size() == 1 ? " part: " : " separate parts: ", partsText(found.parts))};
 }
 
+Status
+checkChosen(const SurfaceGraph& graph, const SurfaceSettings& settings)
+{
+  if (settings.part_at || settings.largest_part)
+    return Status::success();
+  const std::vector<SurfacePart> parts = surfaceParts(graph).parts;
+  if (otherParts(parts, largest_speck) != OtherParts::TooLarge)
+    return Status::success();
+  return {StatusCode::InvalidInput, severalPartsText(parts)};
+}
+
 std::string
 keptPartText(std::size_t all, std::size_t left_out, const SurfaceParts& found, const SurfaceSettings& settings, std::size_t kept)
 {

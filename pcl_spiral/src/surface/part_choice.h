@@ -15,6 +15,9 @@ namespace pcl_spiral {
  *  parts. */
 Status choosePart(const SurfaceGraph& graph, const SurfaceParts& found, const SurfaceSettings& settings, std::size_t& kept);
 
+/** Refuses several large parts if none was chosen: what is wrong may be wrong with another one. */
+Status checkChosen(const SurfaceGraph& graph, const SurfaceSettings& settings);
+
 /** Which part was kept of a graph with \p all points, and what was left out: \p left_out points. */
 std::string keptPartText(std::size_t all, std::size_t left_out, const SurfaceParts& found, const SurfaceSettings& settings,
                          std::size_t kept);

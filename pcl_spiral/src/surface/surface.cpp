@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/surface.h>
 
+#include "part_choice.h"
 #include "sheet_refusal.h"
 
 #include <algorithm>
@@ -37,6 +38,8 @@ checkSingleSheet(const Surface& surface)
 {
   if (!(surface.noise() > two_sheets_noise * surface.spacing()))
     return Status::success();
+  if (const Status status = checkChosen(surface.graph(), surface.settings()); !status.ok())
+    return status;
   return sheetRefusal(surface.noise(), surface.spacing(), heightsOf(surface));
 }
 

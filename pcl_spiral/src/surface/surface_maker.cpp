@@ -213,8 +213,10 @@ private:
     for (int round = 0; round < most_rounds; ++round) {
       std::vector<std::uint8_t> apart;
       findClusters(apart);
-      if (!parts_.clusters.empty() && settings_.clusters == ClusterHandling::Refuse && settings_.strict)
-        return refusalOf(parts_.clusters);
+      if (!parts_.clusters.empty() && settings_.clusters == ClusterHandling::Refuse && settings_.strict) {
+        const Status status = checkChosen(parts_.graph, settings_);
+        return status.ok() ? refusalOf(parts_.clusters) : status;
+      }
       const auto left_out = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
       if (left_out == 0 || settings_.clusters == ClusterHandling::Refuse)
         break;

@@ -56,6 +56,9 @@ std::size_t nearestPart(const SurfaceGraph& graph, const SurfaceParts& parts, co
 /** "7854 mm2 at (1, 2, 3), 12 mm2 at (4, 5, 6) and 7 more": \p parts as text with a point of each, the first few listed. */
 std::string partsText(const std::vector<SurfacePart>& parts);
 
+/** The refusal of several \p parts of which none was chosen. */
+std::string severalPartsText(const std::vector<SurfacePart>& parts);
+
 /** For each point of the graph: 1 if it belongs only to parts other than number \p part. A point without a triangle
  *  does not. */
 std::vector<std::uint8_t> apartFrom(const SurfaceGraph& graph, const SurfaceParts& parts, std::size_t part);
