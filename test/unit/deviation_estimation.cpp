@@ -56,6 +56,26 @@ measured(const Sampled& scan, const CheckedPath& path, double chord_error = 0.00
 
 } // namespace
 
+TEST(DeviationEstimation, AnotherPartIsAskedForOnlyWhereMostPointsHaveNoSurface)
+{
+  const SurfacePtr part = saddle();
+  const Sampled scan = sampleUniform(*part, 30000, 5);
+  for (const double share : {0.2, 0.8}) {
+    CheckedPath path = passes(*part);
+    const auto lifted = static_cast<std::size_t>(share * static_cast<double>(path.size()));
+    for (std::size_t i = 0; i < lifted; ++i)
+      path.contacts[i].z() += 500.0;
+    const Measured m = measured(scan, path);
+    ASSERT_TRUE(m.status.ok()) << m.status.message();
+    EXPECT_EQ(m.figures.unmeasured, lifted);
+    std::string said;
+    for (const std::string& warning : m.figures.warnings)
+      said += warning;
+    EXPECT_EQ(said.find("another part") != std::string::npos, share > 0.5) << said;
+    EXPECT_EQ(said.find("cannot be judged there") != std::string::npos, share < 0.5) << said;
+  }
+}
+
 TEST(DeviationEstimation, APathOnTheSurfaceHasNone)
 {
   const SurfacePtr surface = saddle();

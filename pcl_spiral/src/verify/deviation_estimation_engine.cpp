@@ -107,8 +107,9 @@ warn(const ReferenceSurface& reference, DeviationFigures& figures)
 {
   const auto of = [&](std::size_t count) { return std::to_string(count) + " of " + std::to_string(figures.points) + " path points"; };
   if (figures.unmeasured > 0)
-    figures.warnings.push_back(of(figures.unmeasured) + " have no " + (reference.mesh() ? "surface of the mesh" : "scanned surface") +
-                               " near them: is it another part, or another unit?");
+    figures.warnings.push_back(
+        of(figures.unmeasured) + " have no " + (reference.mesh() ? "surface of the mesh" : "scanned surface") + " near them: " +
+        (2 * figures.unmeasured > figures.points ? "is it another part, or another unit?" : "they cannot be judged there"));
   const bool reversed = 2 * figures.opposed > figures.measured + figures.beyond_rim;
   if (reversed)
     figures.warnings.push_back("the normals of " + of(figures.opposed) +
