@@ -302,15 +302,17 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
 }
 
 std::string
-clustersText(const std::vector<StandingCluster>& clusters)
+clustersText(const std::vector<StandingCluster>& clusters, double spacing)
 {
   constexpr std::size_t most_named = 4;
+  const Eigen::Vector3d aside(spacing, spacing, 0.0);
   const std::size_t count = clusters.size();
   std::string list = textOf(count, count == 1 ? " cluster of points stands" : " clusters of points stand", " off the surface: ");
   for (std::size_t i = 0; i < std::min(count, most_named); ++i) {
     const Eigen::AlignedBox3d box = boxOf(clusters[i]);
     list += textOf(i > 0 ? ", " : "", clusters[i].indices.size(), " points at ", placeText(clusters[i].place), ", ", clusters[i].size,
-                   " mm across and ", clusters[i].height, " mm high, from ", placeText(box.min()), " to ", placeText(box.max()));
+                   " mm across and ", clusters[i].height, " mm high, from ", placeText(box.min() - aside), " to ",
+                   placeText(box.max() + aside));
   }
   if (count > most_named)
     list += textOf(" and ", count - most_named, " more");
@@ -318,12 +320,12 @@ clustersText(const std::vector<StandingCluster>& clusters)
 }
 
 Status
-refusalOf(const std::vector<StandingCluster>& clusters)
+refusalOf(const std::vector<StandingCluster>& clusters, double spacing)
 {
   const bool hide = std::any_of(clusters.begin(), clusters.end(), [](const StandingCluster& cluster) { return cluster.hides_surface; });
   return {
       StatusCode::InvalidInput,
-      textOf(clustersText(clusters),
+      textOf(clustersText(clusters, spacing),
              "; a path would go through what is there: take it off and scan again, keep the cutter out of there (addKeepOut), ride over "
              "it (setClusterHandling with Ride)",
              hide ? " with a ball of at least twice its height as radius" : "",

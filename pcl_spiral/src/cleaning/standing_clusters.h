@@ -37,11 +37,11 @@ struct StandingPoints {
 StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points);
 
 /** "9 clusters of points stand off the surface: 6 points at (1, 2, 3), 10 mm across and 5.4 mm high, from (-3, 0, 2) to (5, 4, 3), ...
- *  and 5 more" */
-std::string clustersText(const std::vector<StandingCluster>& clusters);
+ *  and 5 more". The extents are wider by the \p spacing of the scan, mm: a thing ends between its last point and the next one. */
+std::string clustersText(const std::vector<StandingCluster>& clusters, double spacing);
 
-/** Refuses a scan with \p clusters, with what can be done about them. */
-Status refusalOf(const std::vector<StandingCluster>& clusters);
+/** Refuses a scan of this \p spacing, mm, with \p clusters, with what can be done about them. */
+Status refusalOf(const std::vector<StandingCluster>& clusters, double spacing);
 
 /** Refuses to ride over \p clusters that hide the surface and are higher than half the \p radius of the ball. Of such a thing only the top
  *  is seen. A ball of radius R that touches the top at a height h stays clear of a straight side below it that leans from the normal by an

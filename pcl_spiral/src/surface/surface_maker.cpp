@@ -215,7 +215,7 @@ private:
       findClusters(apart);
       if (!parts_.clusters.empty() && settings_.clusters == ClusterHandling::Refuse && settings_.strict) {
         const Status status = checkChosen(parts_.graph, settings_);
-        return status.ok() ? refusalOf(parts_.clusters) : status;
+        return status.ok() ? refusalOf(parts_.clusters, parts_.graph.spacing()) : status;
       }
       const auto left_out = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
       if (left_out == 0 || settings_.clusters == ClusterHandling::Refuse)
@@ -225,9 +225,9 @@ private:
         return status;
     }
     if (!parts_.clusters.empty())
-      parts_.warnings.push_back(clustersText(parts_.clusters) + (settings_.clusters == ClusterHandling::Ride
-                                                                     ? "; the ball rides over what is there"
-                                                                     : "; a path may go through what is there"));
+      parts_.warnings.push_back(clustersText(parts_.clusters, parts_.graph.spacing()) + (settings_.clusters == ClusterHandling::Ride
+                                                                                             ? "; the ball rides over what is there"
+                                                                                             : "; a path may go through what is there"));
     return Status::success();
   }
 

@@ -42,9 +42,9 @@ ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface)
   if (strayPoints() > 0)
     warnings_.push_back(textOf(strayPoints(), " isolated outliers of the reference were left out"));
   if (const std::vector<StandingCluster>& clusters = scanned_->clusters(); !clusters.empty())
-    warnings_.push_back(clustersText(clusters) + (scanned_->settings().clusters == ClusterHandling::Ride
-                                                      ? "; the ball must ride over what is there"
-                                                      : "; what is there is not judged (setClusterHandling)"));
+    warnings_.push_back(clustersText(clusters, scanned_->spacing()) + (scanned_->settings().clusters == ClusterHandling::Ride
+                                                                           ? "; the ball must ride over what is there"
+                                                                           : "; what is there is not judged (setClusterHandling)"));
   for (const std::string& warning : sideWarnings(scanned_->side()))
     warnings_.push_back(warning);
   findRim();

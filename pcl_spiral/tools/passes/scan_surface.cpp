@@ -121,11 +121,11 @@ heedClusters(const PassJob& job, ProgressBar& bar, const Surface::ConstPtr& surf
   if (!surface || surface->clusters().empty())
     return surface;
   if (job.choice.clusters == ClusterHandling::Refuse)
-    require(job.scan, refusalOf(surface->clusters()));
+    require(job.scan, refusalOf(surface->clusters(), surface->spacing()));
   const bool rides = job.choice.clusters == ClusterHandling::Ride;
-  result.warnings.push_back(clustersText(surface->clusters()) + (rides
-                                                                     ? "; the cutter rides over what is there"
-                                                                     : "; they were left out, and the cutter goes through what is there"));
+  result.warnings.push_back(
+      clustersText(surface->clusters(), surface->spacing()) +
+      (rides ? "; the cutter rides over what is there" : "; they were left out, and the cutter goes through what is there"));
   if (rides) {
     require(job.scan, checkRideHeight(surface->clusters(), job.cutter.corner_radius));
     return surface; // locations stay clear of every point of the scan

@@ -264,8 +264,7 @@ plannedWithLeastUncut(const Job& job, ProgressBar& bar, const Result& input)
 Result
 plannedBesideKeepOuts(Job job, ProgressBar& bar, const Result& input)
 {
-  constexpr int most_runs = 3;
-  constexpr double more = 2.0; // times the depth: the outline is another one then
+  constexpr int most_runs = 4;
   for (int run = 1;; ++run)
     try {
       Result result = plannedWithLeastUncut(job, bar, input);
@@ -278,7 +277,7 @@ plannedBesideKeepOuts(Job job, ProgressBar& bar, const Result& input)
     catch (const EntersKeepOut& entry) {
       if (run == most_runs)
         throw;
-      job.part.margin += more * entry.depth();
+      job.part.margin += entry.room();
     }
 }
 

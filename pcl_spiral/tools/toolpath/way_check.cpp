@@ -7,6 +7,8 @@
 #include "verify/things_in_the_way.h"
 #include <pcl_spiral/verify/impl/false_echoes.h>
 
+#include <algorithm>
+
 using namespace pcl_spiral;
 
 namespace {
@@ -81,13 +83,14 @@ checkBeside(const Job& job, double allowed, Result& result)
 void
 checkWay(const Job& job, Result& result)
 {
-  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
+  constexpr double deviations = 5.0;         // of the noise: no point is farther from the surface
+  constexpr double more = 2.0, least = 0.25; // times the depth, spacings: farther away, the outline is another one
   const double radius = job.settings.tool_radius, allowed = job.settings.chord_error + deviations * result.report.noise;
   if (const auto entry = deepestEntry(*result.path, ballCentres(*result.path, radius), radius, result.part.keep_outs))
     throw EntersKeepOut(job.scan,
                         textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
                                ": enlarge the polygon there by that much (--keep-out)"),
-                        entry->depth);
+                        std::max(more * entry->depth, least * result.report.spacing));
   const auto isFree = [&](const pcl::PointCloud<ToolpathPoint>& path) {
     const auto cut = deepestPoint(path, radius, result.part.kept_out);
     return !cut || cut->depth <= allowed;

@@ -12,11 +12,11 @@
 /** A path on which the ball enters a keep-out. */
 class EntersKeepOut : public pcl_spiral::FileError {
 public:
-  EntersKeepOut(const std::string& file, const std::string& reason, double depth) : FileError(file, reason), depth_(depth) {}
-  double depth() const { return depth_; } ///< mm
+  EntersKeepOut(const std::string& file, const std::string& reason, double room) : FileError(file, reason), room_(room) {}
+  double room() const { return room_; } ///< how much farther away the ball should stay, mm
 
 private:
-  double depth_;
+  double room_;
 };
 
 /** Warns of single points beside the part in the way, which are taken for false echoes.

@@ -221,7 +221,7 @@ MeshMaker::zip(std::size_t outline)
   if (best == edges_.size())
     return {StatusCode::Failed,
             textOf("no edge of the mesh runs along the outline through ", placeText(outlines_[outline].curve.front()), remedy,
-                   keepOutText(outlines_[outline].type == LoopType::Outer ? Polyline() : outlines_[outline].curve), radial)};
+                   keepOutText(outlines_[outline].type == LoopType::Outer ? Polyline() : outlines_[outline].curve, spacing_), radial)};
   edge_used_[best] = 1;
   ZipperSide rim;
   addOutline(outline, rim);
@@ -230,7 +230,7 @@ MeshMaker::zip(std::size_t outline)
   if (strip.empty())
     return {StatusCode::Failed,
             textOf("the edge of the mesh follows the outline through ", placeText(outlines_[outline].curve.front()), " over less than ",
-                   100.0 * least_zipped, " % of its length", remedy, keepOutText(pointsApart(edge, rim, spacing_)), radial)};
+                   100.0 * least_zipped, " % of its length", remedy, keepOutText(pointsApart(edge, rim, spacing_), spacing_), radial)};
   triangles_.insert(triangles_.end(), strip.begin(), strip.end());
   return Status::success();
 }

@@ -68,15 +68,16 @@ refuseNarrowStrip(const std::vector<BoundaryLoop>& outlines, std::size_t of, dou
 }
 
 std::string
-keepOutText(const Polyline& places)
+keepOutText(const Polyline& places, double spacing)
 {
   if (places.empty())
     return "";
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : places)
     box.extend(p);
-  return textOf("keep the cutter out of what stands there with a polygon that covers it, from ", placeText(box.min()), " to ",
-                placeText(box.max()), " (addKeepOut), or ");
+  const Eigen::Vector3d aside(spacing, spacing, 0.0);
+  return textOf("keep the cutter out of what stands there with a polygon that covers it, from ", placeText(box.min() - aside), " to ",
+                placeText(box.max() + aside), " (addKeepOut), or ");
 }
 
 } // namespace pcl_spiral

@@ -18,8 +18,8 @@ namespace pcl_spiral {
  *  \p spacing of the points, mm. */
 Status refuseNarrowStrip(const std::vector<BoundaryLoop>& outlines, std::size_t of, double spacing);
 
-/** "keep the cutter out of what stands there with a polygon that covers it, from (1, 2, 3) to (4, 5, 6) (addKeepOut), or " for \p places,
- *  if there are any; else nothing: a part of a message. */
-std::string keepOutText(const Polyline& places);
+/** "keep the cutter out of what stands there with a polygon that covers it, from (1, 2, 3) to (4, 5, 6) (addKeepOut), or " for \p places
+ *  and one \p spacing round them, mm, if there are any; else nothing: a part of a message. */
+std::string keepOutText(const Polyline& places, double spacing);
 
 } // namespace pcl_spiral

@@ -149,7 +149,7 @@ dropHandle(const StepOverMesh& mesh, const Triangulation& rest, double spacing, 
     return {StatusCode::Failed, textOf("the surface has a handle at ", placeText(points.empty() ? mesh.positions.front() : points.front()),
                                        ", ", points.empty() ? 0.0 : length(points, true),
                                        " mm round: a path at constant scallop needs a sheet with only a rim and holes; ",
-                                       keepOutText(points), "cut the part into pieces")};
+                                       keepOutText(points, spacing), "cut the part into pieces")};
   for (const std::uint32_t v : way)
     dead[v] = 1;
   dropped = true;

@@ -87,11 +87,15 @@ stockText(const std::vector<TightPlace>& places)
 }
 
 std::string
-hollowWarning(const std::vector<TightPlace>& places, double fitting_radius)
+hollowWarning(const std::vector<TightPlace>& places, double fitting_radius, double tool_radius)
 {
+  constexpr double step = 0.45; // of the radius; a sharp corner of 90 degrees keeps 0.41
   return textOf("the ball does not reach ", stockText(places), ". A ball of radius ", fitting_radius,
                 " mm reaches everything (setToolRadius); BallReach maps the largest ball at each point, and setTightHandling refuses such "
-                "parts");
+                "parts",
+                places.front().height > step * tool_radius
+                    ? ". A step that high is often the side of a part that lies on a table: then crop the scan to the part (setCrop)"
+                    : "");
 }
 
 std::string
@@ -175,7 +179,8 @@ reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings
     std::copy_if(report.tight_places.begin(), report.tight_places.end(), std::back_inserter(places),
                  [&](const TightPlace& place) { return place.under_cluster == under_cluster; });
     if (!places.empty())
-      report.warnings.push_back(under_cluster ? clusterWarning(places) : hollowWarning(places, report.fitting_radius));
+      report.warnings.push_back(under_cluster ? clusterWarning(places)
+                                              : hollowWarning(places, report.fitting_radius, settings.tool_radius));
   }
 }
 

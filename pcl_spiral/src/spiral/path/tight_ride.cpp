@@ -226,7 +226,7 @@ Ride::write(SpiralPath& path) const
 
 /** The refusal of a ball that rests nowhere over the points \p unfree. */
 Status
-unfreeRefusal(const std::vector<RiddenPoint>& unfree, const BallReach& reach, double tool_radius)
+unfreeRefusal(const std::vector<RiddenPoint>& unfree, const BallReach& reach, double tool_radius, double spacing)
 {
   constexpr double share = 0.9; // of the largest ball that reaches them
   double largest = tool_radius;
@@ -238,8 +238,8 @@ unfreeRefusal(const std::vector<RiddenPoint>& unfree, const BallReach& reach, do
   return {StatusCode::Failed,
           textOf("the ball of radius ", tool_radius, " mm finds no free place over ", placeText(feet.front()), " in turn ",
                  unfree.front().turn, feet.size() > 1 ? textOf(", nor at ", feet.size() - 1, " more places") : "",
-                 ": the surface closes round it; ", keepOutText(feet), "use a smaller tool (setToolRadius): a radius of ", share * largest,
-                 " mm reaches there")};
+                 ": the surface closes round it; ", keepOutText(feet, spacing), "use a smaller tool (setToolRadius): a radius of ",
+                 share * largest, " mm reaches there")};
 }
 
 } // namespace
@@ -255,12 +255,12 @@ rideTightPlaces(const Surface& surface, const BallReach* given, const SpiralSett
   if (!ride.take(path))
     return Status::success();
   if (const std::vector<RiddenPoint> unfree = ride.unfree(); !unfree.empty())
-    return unfreeRefusal(unfree, reach, settings.tool_radius);
+    return unfreeRefusal(unfree, reach, settings.tool_radius, surface.spacing());
   ride.halveMoves();
   ride.joinJumps();
   ride.straighten();
   if (const std::vector<RiddenPoint> unfree = ride.unfree(); !unfree.empty())
-    return unfreeRefusal(unfree, reach, settings.tool_radius);
+    return unfreeRefusal(unfree, reach, settings.tool_radius, surface.spacing());
   ride.write(path);
   return Status::success();
 }
