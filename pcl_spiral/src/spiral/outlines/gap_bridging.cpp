@@ -61,6 +61,22 @@ nameLoops(const Polyline& kept, std::vector<BoundaryLoop>& loops)
   }
 }
 
+/** Refuse a surface that falls apart once its gaps are bridged: what stands on a part hangs on it by a few triangles beside a gap. */
+Status
+checkHoldsTogether(const SurfaceGraph& graph)
+{
+  const std::vector<SurfacePart> parts = surfaceParts(graph).parts;
+  if (const OtherParts others = otherParts(parts, largest_speck); others == OtherParts::None || others == OtherParts::Specks)
+    return Status::success();
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    box.extend(parts[i].box);
+  return {StatusCode::InvalidInput,
+          textOf("the surface falls apart where gaps in the scan are bridged: ", partsText(parts),
+                 ". Something stands on the part there: keep the cutter out of it with a polygon that covers it, from ",
+                 placeText(box.min()), " to ", placeText(box.max()), " (addKeepOut)")};
+}
+
 /** One run: the input, and which loops are the user's own. */
 class Bridging {
 public:
@@ -129,6 +145,8 @@ public:
       BoundaryOptions options;
       options.min_hole_width = options_.hole_size;
       options.progress = progress;
+      if (const Status status = checkHoldsTogether(bridged_.surface->graph()); !status.ok())
+        return status;
       if (const Status status = findBoundaryLoops(*bridged_.surface, options, loops); !status.ok())
         return status;
       if (const Status status = nameFound(); !status.ok())
@@ -229,22 +247,6 @@ private:
   BoundaryChoice choice_;
 };
 
-/** Refuse a surface that falls apart once its gaps are bridged: what stands on a part hangs on it by a few triangles beside a gap. */
-Status
-checkHoldsTogether(const SurfaceGraph& graph)
-{
-  const std::vector<SurfacePart> parts = surfaceParts(graph).parts;
-  if (const OtherParts others = otherParts(parts, largest_speck); others == OtherParts::None || others == OtherParts::Specks)
-    return Status::success();
-  Eigen::AlignedBox3d box;
-  for (std::size_t i = 1; i < parts.size(); ++i)
-    box.extend(parts[i].box);
-  return {StatusCode::InvalidInput,
-          textOf("the surface falls apart where gaps in the scan are bridged: ", partsText(parts),
-                 ". Something stands on the part there: keep the cutter out of it with a polygon that covers it, from ",
-                 placeText(box.min()), " to ", placeText(box.max()), " (addKeepOut)")};
-}
-
 Status
 bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const HoleOptions& options, const ProgressCallback& progress,
        LoopOrigin origin, BridgedSurface& bridged)
@@ -263,8 +265,6 @@ bridge(Surface::ConstPtr surface, const std::vector<BoundaryLoop>& loops, const 
     return bridging.checkBoundaries();
   }
   if (const Status status = addPoints(std::move(surface), bridges, bridged.surface); !status.ok())
-    return status;
-  if (const Status status = checkHoldsTogether(bridged.surface->graph()); !status.ok())
     return status;
   if (const Status status = bridging.findAgain(partOf(progress, begin, 1.0, "boundaries")); !status.ok())
     return status;
