@@ -112,6 +112,22 @@ TEST(GivenLoops, AnOwnOutlineHoldsWithAndWithoutGaps)
     }
 }
 
+TEST(GivenLoops, OwnLoopsLeadOverAGapBesideAnotherPart)
+{
+  const Cloud::Ptr cloud = dome(6.0, 10.0);
+  Loops loops = test::loopsOf(cloud);
+  loops[0] = test::circleOnSphere(sphere, 35.0, LoopType::Outer);
+  *cloud += *dome(0.0, 0.0, 300.0);
+  GapBridging<pcl::PointXYZ> bridging;
+  bridging.setInputCloud(cloud);
+  bridging.setBoundaryLoops(loops);
+  BridgedSurface bridged;
+  bridging.compute(bridged);
+  ASSERT_TRUE(bridging.getStatus().ok()) << bridging.getStatus().message();
+  EXPECT_EQ(bridged.gaps.size(), 1U);
+  EXPECT_EQ(bridged.loops.front().curve, loops[0].curve);
+}
+
 TEST(GivenLoops, AnOwnInnerOutlineHoldsAndTheRimIsFoundAgain)
 {
   Cloud::Ptr cloud = dome(4.0, 40.0);
