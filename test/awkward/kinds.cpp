@@ -57,6 +57,29 @@ tableAndClamps(Scene& s, test::Random& random)
              {{"--part-at", s.place(on), "--tilt", "0"}, Outcome::PathOrRefusal, {"shank"}}};
 }
 
+/** The part lies on a table only a few points below its rim, and no side is seen. */
+void
+lowOnTable(Scene& s, test::Random& random)
+{
+  drawScan(s, drawnPart(random, s.size), random);
+  s.motion = levelMotion(random, 200.0);
+  Polyline rim;
+  const test::PlaneLoop& outline = s.part->region().loops().front();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vector2d side = outline[(i + 1) % outline.size()] - outline[i];
+    const int steps = 1 + static_cast<int>(2.0 * side.norm());
+    for (int k = 0; k < steps; ++k)
+      rim.push_back(s.part->lift(outline[i] + side * k / steps));
+  }
+  const auto lower = [](const Vector3d& a, const Vector3d& b) { return a.z() < b.z(); };
+  const double table = std::min_element(rim.begin(), rim.end(), lower)->z() - s.spacing * random.uniform(3.5, 12.0);
+  addTable(s, table, random.uniform(10.0, 60.0));
+  for (const Vector3d& top : rim)
+    for (double z = table; z < top.z(); z += 0.5)
+      s.bodies.emplace_back(top.x(), top.y(), z);
+  s.steps = {{{}, Outcome::Refusal, {"part-at"}}, {{"--part-at", s.place(innerPlace(*s.part, 10.0, random))}, Outcome::Path, {}}};
+}
+
 /** A clamp stands on the part. */
 void
 clampOnPart(Scene& s, test::Random& random)
@@ -281,8 +304,9 @@ const std::map<std::string, std::function<void(Scene&, test::Random&)>>&
 makers()
 {
   static const std::map<std::string, std::function<void(Scene&, test::Random&)>> all{
-      {"table", tableAndClamps}, {"clamp", clampOnPart}, {"camera", cameraFrame}, {"map", mapCoordinates}, {"jug", jug},
-      {"fillet", tightFillet},   {"strip", strip},       {"cluster", cluster},    {"echoes", echoes},      {"trees", trees}};
+      {"table", tableAndClamps}, {"low", lowOnTable}, {"clamp", clampOnPart},  {"camera", cameraFrame},
+      {"map", mapCoordinates},   {"jug", jug},        {"fillet", tightFillet}, {"strip", strip},
+      {"cluster", cluster},      {"echoes", echoes},  {"trees", trees}};
   return all;
 }
 

@@ -338,7 +338,7 @@ TEST_F(BesideClamps, SinglePointsBesideACropAreNoThingsButAPinIs)
   const RunResult refused = run(crop);
   EXPECT_EQ(refused.code, 1);
   EXPECT_NE(refused.err.find("1 thing stands in the way"), std::string::npos) << refused.err;
-  judged("beside the part that was chosen", 1); // the path of the scan without a pin
+  judged("beside what is cut", 1); // the path of the scan without a pin
 }
 
 TEST_F(BesideClamps, AllSmallPartsAreListedOrCounted)

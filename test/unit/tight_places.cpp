@@ -115,44 +115,4 @@ TEST(TightPlaces, SeparatePlacesAreFartherApartThanTheTool)
   EXPECT_EQ(tight.feet().size(), 102U);
 }
 
-/** A dome of radius 120 mm whose rim, of radius 45 mm, stands 8 mm above the table that it lies on; sides are not seen. */
-pcl::PointCloud<pcl::PointXYZ>::Ptr
-domeOnATable(double table)
-{
-  constexpr double spacing = 1.6, rim = 45.0, high = 8.0, radius = 120.0;
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> jitter(-0.25, 0.25);
-  std::normal_distribution<double> noise(0.0, 0.01);
-  auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  for (int i = -50; i <= 50; ++i)
-    for (int j = -50; j <= 50; ++j) {
-      const double x = (i + jitter(random)) * spacing, y = (j + jitter(random)) * spacing, r = std::hypot(x, y), error = noise(random);
-      const double dome = high - std::sqrt(radius * radius - rim * rim) + std::sqrt(std::max(0.0, radius * radius - r * r));
-      if (r <= table)
-        cloud->push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>((r <= rim ? dome : 0.0) + error)});
-    }
-  return cloud;
-}
-
-TEST(TightPlaces, AHighStepIsSaidToBeThatOfAPartOnATable)
-{
-  const auto said = [](double table) {
-    SpiralToolpathGenerator<pcl::PointXYZ> spiral;
-    spiral.setInputCloud(domeOnATable(table));
-    spiral.setToolRadius(8.0);
-    spiral.setScallopHeight(0.3);
-    Path path;
-    spiral.compute(path);
-    EXPECT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
-    std::string all;
-    for (const std::string& warning : spiral.getReport().warnings)
-      all += warning;
-    return all;
-  };
-  EXPECT_NE(said(80.0).find("crop the scan to the part (setCrop)"), std::string::npos);
-  const std::string cropped = said(44.0);
-  EXPECT_EQ(cropped.find("does not reach"), std::string::npos) << cropped;
-  EXPECT_EQ(cropped.find("least at this scallop height"), std::string::npos) << cropped;
-}
-
 } // namespace

@@ -11,6 +11,7 @@
 #include "outlier_candidates.h"
 #include "search/pieces.h"
 #include "star_triangles.h"
+#include "unseen_steps.h"
 
 #include <Eigen/Geometry>
 
@@ -213,6 +214,7 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
   });
   mean_normal_ = sum.head<3>() / sum.w();
   triangulation_ = triangulate(blocks_.points(), stars, pinhole_edges);
+  removeUnseenSteps({blocks_, normals_, radii_, static_cast<float>(evenSpacing(1.0, neighbours_))}, triangulation_);
   return Status::success();
 }
 

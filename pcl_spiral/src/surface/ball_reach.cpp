@@ -8,14 +8,16 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double patch_spacings = 0.75; // half the width of a patch: neighbouring patches overlap
-constexpr double own_spacings = 2.5;    // radius about a foot within which fits of neighbouring points share most of their points
-constexpr double deviations = 3.0;      // of the fit: depths below that are not known
-constexpr double own_deviations = 6.0;  // about a foot, where neighbouring patches differ by the noise of both
-constexpr double own_steps = 0.1;       // spacings: steps between them without noise, at the ends of fillets
-constexpr int most_shrinks = 40;        // of the ball at one foot; a few are usual
-constexpr double settled = 1e-4;        // of the radius: the ball shrinks no more
-constexpr std::size_t chunk = 1u << 16; // points fitted together
+constexpr double patch_spacings = 0.75;   // half the width of a patch: neighbouring patches overlap
+constexpr double own_spacings = 2.5;      // radius about a foot within which fits of neighbouring points share most of their points
+constexpr double deviations = 3.0;        // of the fit: depths below that are not known
+constexpr double own_deviations = 6.0;    // about a foot, where neighbouring patches differ by the noise of both
+constexpr double own_steps = 0.1;         // spacings: steps between them without noise, at the ends of fillets
+constexpr double missed_deviations = 6.0; // of the points about the fit, by their median: a point that is farther above it is missed
+constexpr double missed_spacings = 0.2;   // the least such height
+constexpr int most_shrinks = 40;          // of the ball at one foot; a few are usual
+constexpr double settled = 1e-4;          // of the radius: the ball shrinks no more
+constexpr std::size_t chunk = 1u << 16;   // points fitted together
 
 /** Area about each point: a third of its triangles; without triangles the square of its spacing. */
 std::vector<float>
@@ -62,10 +64,32 @@ BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double ra
 }
 
 void
+BallReach::findMissed(const SurfaceGraph& graph, const std::vector<float>& heights)
+{
+  constexpr double deviation_of_median = 1.4826; // of a normal distribution
+  std::vector<float> sizes(heights.size());
+  std::transform(heights.begin(), heights.end(), sizes.begin(), [](float height) { return std::abs(height); });
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  const double deviation = deviation_of_median * static_cast<double>(*middle);
+  const double least = std::max(missed_spacings * graph.spacing(), missed_deviations * deviation);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (!(heights[i] > least))
+      continue;
+    ++missed_.count;
+    if (heights[i] > missed_.height) {
+      missed_.height = heights[i];
+      missed_.place = graph.position(i);
+    }
+  }
+}
+
+void
 BallReach::fitPatches(const SurfaceGraph& graph, const MlsSurface& fit)
 {
   const std::size_t size = graph.size();
   std::vector<Eigen::Vector3f> positions(size);
+  std::vector<float> heights(size); // of the points over their feet
   std::vector<Patch> fitted(size);
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
@@ -81,12 +105,14 @@ BallReach::fitPatches(const SurfaceGraph& graph, const MlsSurface& fit)
       patch.extent = static_cast<float>(patch_spacings * graph.spacing(i));
       widest_ = std::max(widest_, patch.extent);
       positions[i] = (foot.valid ? foot.position : queries[k]).cast<float>();
+      heights[i] = foot.valid ? static_cast<float>(foot.normal.dot(queries[k] - foot.position)) : 0.0f;
       patch.normal = (foot.valid ? foot.normal : graph.normal(i)).cast<float>();
       patch.direction1 = foot.valid ? Eigen::Vector3f(foot.direction1.cast<float>()) : patch.normal.unitOrthogonal();
       patch.curvature1 = foot.valid ? static_cast<float>(foot.curvature1) : 0.0f;
       patch.curvature2 = foot.valid ? static_cast<float>(foot.curvature2) : 0.0f;
     }
   }
+  findMissed(graph, heights);
   feet_ = PointBlocks(std::move(positions));
   patches_.resize(size);
   place_.resize(size);

@@ -99,7 +99,7 @@ thingsText(const std::vector<ThingInTheWay>& things)
   for (std::size_t i = 0; i < std::min(things.size(), most_named); ++i) {
     const Eigen::Vector3d size = things[i].box.sizes();
     list += textOf(i > 0 ? "; " : "", "from ", placeText(things[i].box.min()), " to ", placeText(things[i].box.max()), ", ", size.x(),
-                   " by ", size.y(), " mm and ", size.z(), " mm high");
+                   " by ", size.y(), " mm");
   }
   if (things.size() > most_named)
     list += textOf("; and ", things.size() - most_named, " more");

@@ -145,7 +145,7 @@ faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointC
     if (const std::string cut = cutInto(points); !cut.empty())
       faults.push_back(cut + where);
   };
-  const char* beside = ", beside the part that was chosen";
+  const char* beside = ", beside what is cut";
   requireClear(part.chosen.kept_out, ", where something stands in a keep-out");
   requireClear(others, beside);
   if (const std::string cut = cutInto(part.chosen.beside); !cut.empty()) {

@@ -149,7 +149,7 @@ warnOfLocations(const PassJob& job, PassResult& result)
                               "; passes are interrupted (--keep-out)"));
   if (left.beside > 0)
     warnings.push_back(textOf(left.beside, locationsWere(left.beside), " left out because the tool would be up to ", left.deepest_beside,
-                              " mm deep in the scan beside the part that was chosen, first at ", placeText(left.first_beside),
+                              " mm deep in the scan beside what is cut, first at ", placeText(left.first_beside),
                               "; passes are interrupted"));
   if (const std::size_t off = result.off_scan - std::min(result.off_scan, left.count()); off > 0)
     warnings.push_back(textOf(off, off == 1 ? " location has" : " locations have", " no part of the surface below the cutter and ",

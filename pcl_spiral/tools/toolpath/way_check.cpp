@@ -66,16 +66,15 @@ checkBeside(const Job& job, double allowed, Result& result)
     things = inTheWay(*result.path, beside);
     if (things.empty()) {
       result.report.warnings.push_back(textOf("the ball or its shank cuts into the scan at ", placeText(deepest),
-                                              ", beside the part that was chosen: only single points off the surface are there, usually "
+                                              ", beside what is cut: only single points off the surface are there, usually "
                                               "false echoes"));
       return;
     }
   }
   const auto isFree = [&](const pcl::PointCloud<ToolpathPoint>& path) { return inTheWay(path, beside).empty(); };
   throw FileError(job.scan, textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth,
-                                   " mm into the scan at ", placeText(things.front().place), ", beside the part that was chosen. ",
-                                   thingsText(things), ": keep out of each with a polygon that covers it (--keep-out)",
-                                   lessTilt(job, result, isFree)));
+                                   " mm into the scan at ", placeText(things.front().place), ", beside what is cut. ", thingsText(things),
+                                   ": keep out of each with a polygon that covers it (--keep-out)", lessTilt(job, result, isFree)));
 }
 
 } // namespace

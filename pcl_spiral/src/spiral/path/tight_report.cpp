@@ -87,15 +87,21 @@ stockText(const std::vector<TightPlace>& places)
 }
 
 std::string
-hollowWarning(const std::vector<TightPlace>& places, double fitting_radius, double tool_radius)
+hollowWarning(const std::vector<TightPlace>& places, double fitting_radius)
 {
-  constexpr double step = 0.45; // of the radius; a sharp corner of 90 degrees keeps 0.41
   return textOf("the ball does not reach ", stockText(places), ". A ball of radius ", fitting_radius,
                 " mm reaches everything (setToolRadius); BallReach maps the largest ball at each point, and setTightHandling refuses such "
-                "parts",
-                places.front().height > step * tool_radius
-                    ? ". A step that high is often the side of a part that lies on a table: then crop the scan to the part (setCrop)"
-                    : "");
+                "parts");
+}
+
+std::string
+missedWarning(const MissedPoints& missed)
+{
+  return textOf(
+      missed.count, missed.count == 1 ? " point of the scan stands" : " points of the scan stand", " up to ", missed.height,
+      " mm over the fitted surface, the most at ", placeText(missed.place),
+      ": an edge or a step there has too few points, and the path cuts it off; scan more densely there, or leave it out (setCrop, "
+      "addKeepOut)");
 }
 
 std::string
@@ -172,6 +178,8 @@ reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings
   for (const UnreachedPoint& point : reach.unreached())
     report.fitting_radius = std::min<double>(report.fitting_radius, point.reach);
   measureLifts(path, reach.tolerance(), report);
+  if (reach.missed().count > 0)
+    report.warnings.push_back(missedWarning(reach.missed()));
   reportBallReversals(path, settings, report);
   report.tight_places = placesOf(reach, settings.scallop_height);
   for (const bool under_cluster : {false, true}) {
@@ -179,8 +187,7 @@ reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings
     std::copy_if(report.tight_places.begin(), report.tight_places.end(), std::back_inserter(places),
                  [&](const TightPlace& place) { return place.under_cluster == under_cluster; });
     if (!places.empty())
-      report.warnings.push_back(under_cluster ? clusterWarning(places)
-                                              : hollowWarning(places, report.fitting_radius, settings.tool_radius));
+      report.warnings.push_back(under_cluster ? clusterWarning(places) : hollowWarning(places, report.fitting_radius));
   }
 }
 

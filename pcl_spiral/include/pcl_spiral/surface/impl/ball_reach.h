@@ -23,6 +23,13 @@ struct UnreachedPoint {
   bool covered = false;    ///< an obstacle is in the way of the ball
 };
 
+/** Points of a scan that stand out of the fitted surface by far more than the noise: an edge, a ridge or a step with too few points. */
+struct MissedPoints {
+  std::size_t count = 0;
+  double height = 0.0;                             ///< of the highest, mm
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of that point
+};
+
 /** Points over a surface that a ball must not touch, nor pass under. Lengths in mm. */
 struct BallObstacles {
   std::vector<Eigen::Vector3f> points; ///< each stands on a post from the surface
@@ -48,6 +55,8 @@ public:
   std::size_t size() const { return place_.size(); } ///< Points of the graph.
   /** Points that the ball does not reach, in the order of the graph. */
   const std::vector<UnreachedPoint>& unreached() const { return unreached_; }
+  /** Points that the fit cuts off. */
+  const MissedPoints& missed() const { return missed_; }
   /** Foot and normal of point \p i of the graph. */
   Eigen::Vector3d position(std::size_t i) const { return feet_.position(place_[i]); }
   Eigen::Vector3d normal(std::size_t i) const { return patches_[place_[i]].normal.cast<double>(); }
@@ -84,6 +93,7 @@ private:
   };
 
   void fitPatches(const SurfaceGraph& graph, const MlsSurface& fit);
+  void findMissed(const SurfaceGraph& graph, const std::vector<float>& heights);
   void findUnreached(const SurfaceGraph& graph);
   void averageNormals();
   Eigen::Vector3d nearestOn(std::size_t place, const Eigen::Vector3d& from) const;
@@ -105,6 +115,7 @@ private:
 
   double radius_, tolerance_;
   double own_, own_tolerance_; // mm: radius about a foot, and the depth that counts as noise there
+  MissedPoints missed_;
   PointBlocks feet_;
   std::vector<Patch> patches_;                 // in the order of feet_
   std::vector<std::uint32_t> place_;           // in feet_, of each point of the graph

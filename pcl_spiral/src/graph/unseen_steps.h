@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Steps of a cloud whose side was not scanned. Private.
+ */
+#pragma once
+
+#include <pcl_spiral/graph/impl/triangulation.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A triangulated cloud, one entry per point. */
+struct TriangulatedPoints {
+  const PointBlocks& blocks;
+  const std::vector<Eigen::Vector3f>& normals; ///< to the outer side
+  const std::vector<float>& radii;             ///< of their neighbourhoods, mm
+  float spacings_per_radius;                   ///< local spacing of the points by that radius
+};
+
+/** Removes the triangles over steps whose side was not scanned, if all that joins two surfaces is such a step: a part and the table
+ *  below it, a thing and the part that it stands on. No surface is known between them. Stars meet there, since from above the two are
+ *  only a spacing apart. A smaller surface below, such as the floor of a pocket, stays with its part. */
+void removeUnseenSteps(const TriangulatedPoints& cloud, Triangulation& mesh);
+
+} // namespace pcl_spiral
