@@ -341,6 +341,38 @@ TEST_F(BesideClamps, SinglePointsBesideACropAreNoThingsButAPinIs)
   judged("beside what is cut", 1); // the path of the scan without a pin
 }
 
+/** Between a clamp and the rim few points are left: neither the judge nor the path takes them as part of the table below. */
+TEST_F(BesideClamps, WhatIsLeftAtTheRimJoinsNoTable)
+{
+  const double table = onCap(rim, 0.0).z() - 15.0;
+  std::ostringstream below;
+  for (double x = -60.0; x <= 60.0; x += 0.8)
+    for (double y = -60.0; y <= 60.0; y += 0.8)
+      if (std::hypot(x, y) > rim)
+        below << x << ' ' << y << ' ' << table << '\n';
+  for (const double end : {32.0, 33.0, 34.0}) {
+    SCOPED_TRACE(end);
+    const AlignedBox2d clamp(Vector2d(end - 10.0, -7.0), Vector2d(end, 7.0));
+    constexpr double top = 2.0;
+    std::ostringstream tops;
+    for (double x = clamp.min().x(); x <= end; x += 0.8)
+      for (double y = -7.0; y <= 7.0; y += 0.8)
+        tops << x << ' ' << y << ' ' << top << '\n';
+    writeCap([&](const Vector2d& p) { return !clamp.contains(p); }, tops.str() + below.str());
+    writePolygon("clamp.txt", AlignedBox2d(clamp.min() - Vector2d::Constant(0.5), clamp.max() + Vector2d::Constant(0.5)));
+    const RunResult made = run({"--keep-out", "clamp.txt"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    for (const Vector3d& p : uncutPlaces(clamp, top, 2.5))
+      EXPECT_GT(p.x(), end) << "not cut, and not between clamp and rim: " << p.transpose();
+    const Arguments call{"scan.xyz", "a.csv",     "--tool-radius", "4",          "--scallop",
+                         "0.05",     "--part-at", "-20,0,-2",      "--keep-out", "clamp.txt"};
+    const RunResult judged = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, call, folder_), folder_);
+    const std::size_t uncut = judged.out.find("uncut ");
+    ASSERT_NE(uncut, std::string::npos) << judged.out;
+    EXPECT_LT(std::stod(judged.out.substr(uncut + 6)), 8.0) << judged.out;
+  }
+}
+
 TEST_F(BesideClamps, AllSmallPartsAreListedOrCounted)
 {
   std::vector<AlignedBox2d> clamps{{Vector2d(60.0, -40.0), Vector2d(130.0, 40.0)}}; // too large for a cluster

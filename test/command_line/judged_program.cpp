@@ -191,6 +191,30 @@ TEST_F(JudgedProgram, FindsATenthOfAMillimetreOfToolLength)
   }
 }
 
+TEST_F(JudgedProgram, AnEdgeIsNoMissingBlock)
+{
+  std::ostringstream plate; // 8 mm wide and 1 mm high, on a dome
+  for (int i = -25; i <= 25; ++i)
+    for (int k = -25; k <= 25; ++k) {
+      const double x = 0.8 * i + 0.1 * std::sin(7.0 * i + 3.0 * k), y = 0.8 * k + 0.1 * std::sin(5.0 * i - 4.0 * k);
+      const bool on = std::abs(x - 3.0) < 4.0 && std::abs(y) < 4.0;
+      if (std::hypot(x, y) < 20.0)
+        plate << x << ' ' << y << ' ' << (on ? 1.0 : -(x * x + y * y) / 240.0) << '\n';
+    }
+  writeText(folder_.path("plate.xyz"), plate.str());
+  for (const std::string tilt : {"0", "8"}) {
+    const Arguments common{"--tool-radius", "4", "--scallop", "0.05", "--machine", machines + "/xyzac.yaml"};
+    Arguments make{"plate.xyz", "--tilt", tilt, "-o", "plate.ngc"}, judge{"plate.xyz", "plate.ngc"};
+    make.insert(make.end(), common.begin(), common.end());
+    judge.insert(judge.end(), common.begin(), common.end());
+    const RunResult made = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, make, folder_), folder_);
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_NE(made.err.find("over the fitted surface"), std::string::npos) << made.err;
+    const RunResult judged = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, judge, folder_), folder_);
+    EXPECT_EQ(judged.err.find("times as fast"), std::string::npos) << tilt << ": " << judged.err;
+  }
+}
+
 TEST_F(JudgedProgram, FindsAMissingBlockByItsLine)
 {
   for (std::size_t missing : {3000, 9000, 15000}) {

@@ -13,11 +13,12 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::uint32_t none = Triangulation::none;
-constexpr float long_edge = 1.8f; // spacings
-constexpr int few = 12;           // neighbours, all on one side of a step that is three spacings high
-constexpr float steep = 0.5f;     // sine of the angle between an edge and the surface at both ends
-constexpr double large = 0.02;    // of all triangles
-constexpr double mostly = 0.9;    // of the edges between two surfaces
+constexpr float long_edge = 1.8f;      // spacings
+constexpr int few = 12;                // neighbours, all on one side of a step that is three spacings high
+constexpr float steep = 0.5f;          // sine of the angle between an edge and the surface at both ends
+constexpr float perhaps_steep = 0.25f; // the same with normals that lean beside the step
+constexpr double large = 0.02;         // of all triangles
+constexpr double mostly = 0.9;         // of the edges between two surfaces
 
 /** The work of removeUnseenSteps. */
 class UnseenSteps {
@@ -36,52 +37,59 @@ public:
   }
 
 private:
-  Eigen::Vector3f edge(std::uint32_t h) const { return cloud_.blocks.point(mesh_.target(h)) - cloud_.blocks.point(mesh_.origin(h)); }
-
-  bool isLong(std::uint32_t h) const
+  /** How much half-edge \p h rises over a surface with \p normals, -1 to 1, if it is long and steeper than \p least at both ends;
+   *  else 0. */
+  float rise(std::uint32_t h, const std::vector<Eigen::Vector3f>& normals, float least) const
   {
-    const float radius = std::max(cloud_.radii[mesh_.origin(h)], cloud_.radii[mesh_.target(h)]);
-    return edge(h).norm() > long_edge * cloud_.spacings_per_radius * radius;
+    const std::uint32_t a = mesh_.origin(h), b = mesh_.target(h);
+    const Eigen::Vector3f edge = cloud_.blocks.point(b) - cloud_.blocks.point(a);
+    const float squared = edge.squaredNorm(), enough = long_edge * cloud_.spacings_per_radius * std::max(cloud_.radii[a], cloud_.radii[b]);
+    if (squared <= enough * enough)
+      return 0.0f;
+    const float length = std::sqrt(squared), at_a = edge.dot(normals[a]) / length, at_b = edge.dot(normals[b]) / length;
+    return at_a * at_b > 0.0f && std::min(std::abs(at_a), std::abs(at_b)) > least ? at_a : 0.0f;
   }
+  float rise(std::uint32_t h) const { return rise(h, normals_, steep); }
 
-  /** Normals of few neighbours at the ends of long edges: beside a step, those of more neighbours lean. */
-  void findNormals()
+  /** Normals of few neighbours at the ends of edges that may be steps: beside a step, those of more neighbours lean. False if there is no
+   *  such edge. */
+  bool findNormals()
   {
+    std::vector<std::uint8_t> is_end(cloud_.normals.size(), 0);
+    const auto mayStep = [&](std::uint32_t h) { return rise(h, cloud_.normals, perhaps_steep) != 0.0f; };
+    forPoints(is_end.size(), [&](std::uint32_t v) {
+      for (std::uint32_t k = mesh_.outgoingBegin(v); k < mesh_.outgoingBegin(v + 1) && is_end[v] == 0; ++k)
+        is_end[v] = mayStep(mesh_.outgoing(k)) || mayStep(Triangulation::previous(mesh_.outgoing(k)));
+    });
+    if (std::find(is_end.begin(), is_end.end(), 1) == is_end.end())
+      return false;
     normals_ = cloud_.normals;
-    std::vector<std::uint8_t> is_end(normals_.size(), 0);
-    for (std::uint32_t h = 0; h < mesh_.halfEdgeCount(); ++h)
-      if (isLong(h))
-        is_end[mesh_.origin(h)] = is_end[mesh_.target(h)] = 1;
     const PointBlocks& blocks = cloud_.blocks;
 #pragma omp parallel
     {
       NeighbourSearch search(blocks, std::min<int>(few, static_cast<int>(blocks.size())));
 #pragma omp for schedule(dynamic, 64)
       for (std::int64_t b = 0; b < static_cast<std::int64_t>(blocks.blockCount()); ++b) {
-        search.setRun(blocks.blockBox(b));
-        for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i)
-          if (is_end[i]) {
-            const Eigen::Vector3f normal = localShape(search.find(blocks.position(i))).normal.cast<float>();
-            normals_[i] = normal.dot(normals_[i]) < 0.0f ? Eigen::Vector3f(-normal) : normal;
-          }
+        bool started = false;
+        for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i) {
+          if (is_end[i] == 0)
+            continue;
+          if (!started)
+            search.setRun(blocks.blockBox(b));
+          started = true;
+          const Eigen::Vector3f normal = localShape(search.find(blocks.position(i))).normal.cast<float>();
+          normals_[i] = normal.dot(normals_[i]) < 0.0f ? Eigen::Vector3f(-normal) : normal;
+        }
       }
     }
-  }
-
-  /** How much half-edge \p h rises over the surface, -1 to 1, if it is long and steep at both ends; else 0. */
-  float rise(std::uint32_t h) const
-  {
-    if (!isLong(h))
-      return 0.0f;
-    const Eigen::Vector3f along = edge(h).normalized();
-    const float at_a = along.dot(normals_[mesh_.origin(h)]), at_b = along.dot(normals_[mesh_.target(h)]);
-    return at_a * at_b > 0.0f && std::min(std::abs(at_a), std::abs(at_b)) > steep ? at_a : 0.0f;
+    return true;
   }
 
   /** Flags the triangles over steps; false if there is none. */
   bool flagSteps()
   {
-    findNormals();
+    if (!findNormals())
+      return false;
     is_step_.assign(mesh_.triangleCount(), 0);
     forPoints(is_step_.size(),
               [&](std::uint32_t t) { is_step_[t] = rise(3 * t) != 0.0f || rise(3 * t + 1) != 0.0f || rise(3 * t + 2) != 0.0f; });

@@ -10,18 +10,26 @@ namespace {
 
 constexpr std::size_t neighbours = 5;
 constexpr double most = 1.4;
+constexpr double over_median = 1.2;
+constexpr double sharp_edge = 0.17, sharp_turn = 0.5; // radians: of the normal on a block, and of the way at its ends
 constexpr double near_limit = 0.4; // of the largest rate of a rotary axis in the program: its rate may set the time of the block
 
-/** Speed of the ball's centre on each block, mm/min; 0 on blocks that do not cut. */
-std::vector<double>
-speedsOf(const MachineProgram& program, double radius)
+/** Way of the ball's centre on each block; zero on blocks that do not cut. */
+std::vector<Eigen::Vector3d>
+waysOf(const MachineProgram& program, double radius)
 {
   const std::vector<ProgramBlock>& blocks = program.blocks;
-  std::vector<double> speeds(blocks.size(), 0.0);
+  std::vector<Eigen::Vector3d> ways(blocks.size(), Eigen::Vector3d::Zero());
   for (std::size_t i = 1; i < blocks.size(); ++i)
     if (blocks[i].section == BlockSection::Cut && blocks[i].minutes > 0.0)
-      speeds[i] = (blocks[i].tip + radius * blocks[i].axis - blocks[i - 1].tip - radius * blocks[i - 1].axis).norm() / blocks[i].minutes;
-  return speeds;
+      ways[i] = blocks[i].tip + radius * blocks[i].axis - blocks[i - 1].tip - radius * blocks[i - 1].axis;
+  return ways;
+}
+
+bool
+turnsSharply(const Eigen::Vector3d& way, const Eigen::Vector3d& next)
+{
+  return way.dot(next) < std::cos(sharp_turn) * way.norm() * next.norm();
 }
 
 /** The larger of the rates of the two rotary axes on each block, each in its largest rate in the program; 0 on blocks that do not cut. */
@@ -59,22 +67,39 @@ medianOf(const std::vector<double>& speeds, std::size_t begin)
 } // namespace
 
 std::vector<HurriedBlock>
-hurriedBlocks(const MachineProgram& program, double radius)
+hurriedBlocks(const MachineProgram& program, double radius, const std::vector<BlockContact>& contacts)
 {
-  const std::vector<double> speeds = speedsOf(program, radius);
-  std::vector<double> ways = speeds;
-  for (std::size_t i = 0; i < ways.size(); ++i)
-    ways[i] *= program.blocks[i].minutes;
+  const std::vector<Eigen::Vector3d> steps = waysOf(program, radius);
+  std::vector<double> ways(steps.size(), 0.0), speeds = ways, contact_speeds = ways, cutting;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    ways[i] = steps[i].norm();
+    if (!(ways[i] > 0.0))
+      continue;
+    speeds[i] = ways[i] / program.blocks[i].minutes;
+    contact_speeds[i] = contacts[i].way / program.blocks[i].minutes;
+    cutting.push_back(contact_speeds[i]);
+  }
+  if (cutting.empty())
+    return {};
+  const auto middle = cutting.begin() + static_cast<std::ptrdiff_t>(cutting.size() / 2);
+  std::nth_element(cutting.begin(), middle, cutting.end());
+  const auto exceeds = [](const std::vector<double>& values, std::size_t i) {
+    return values[i] > most * std::max(medianOf(values, i - neighbours), medianOf(values, i + 1));
+  };
+  const auto isSharp = [&](std::size_t i) {
+    return contacts[i].turn > sharp_edge || turnsSharply(steps[i - 1], steps[i]) || turnsSharply(steps[i], steps[i + 1]);
+  };
   const std::vector<double> rates = ratesOf(program);
   std::vector<HurriedBlock> hurried;
   for (std::size_t i = neighbours; i + neighbours < speeds.size(); ++i) {
-    const double before = medianOf(speeds, i - neighbours), after = medianOf(speeds, i + 1), usual = std::max(before, after);
-    if (!(before > 0.0 && after > 0.0 && speeds[i] > most * usual))
+    const double before = medianOf(speeds, i - neighbours), after = medianOf(speeds, i + 1);
+    if (!(before > 0.0 && after > 0.0 && exceeds(speeds, i) && exceeds(contact_speeds, i) && contact_speeds[i] > over_median * *middle) ||
+        isSharp(i))
       continue;
     const auto begin = rates.begin() + static_cast<std::ptrdiff_t>(i - neighbours);
     const bool at_limit = *std::max_element(begin, begin + 2 * neighbours + 1) > near_limit;
-    if (!at_limit || ways[i] > most * std::max(medianOf(ways, i - neighbours), medianOf(ways, i + 1)))
-      hurried.push_back({i, speeds[i] / usual});
+    if (!at_limit || exceeds(ways, i))
+      hurried.push_back({i, speeds[i] / std::max(before, after)});
   }
   return hurried;
 }

@@ -69,10 +69,12 @@ selected(const Cloud& cloud, const pcl::Indices& indices)
 }
 
 Surface::ConstPtr
-surfaceOf(const std::string& file, const PartSide& side, const Scan& scan)
+surfaceOf(const std::string& file, const PartSide& side, const Scan& scan, const std::optional<Eigen::Vector3d>& part_at)
 {
   ScannedSurface<pcl::PointXYZ> scanned;
   scanned.setInputCloud(scan.cloud);
+  if (part_at)
+    scanned.setPartAt(*part_at);
   ScanSide own = side.side;
   own.normals = own.normals ? scan.normals : nullptr;
   setSide(own, scanned);
@@ -146,22 +148,32 @@ keepOnly(const pcl::Indices& kept, const pcl::Indices& echoes, CutScan& from)
     scan.normals = selected(*scan.normals, kept);
 }
 
-/** Single points off \p surface: no thing stands there. */
+/** Points that \p surface left out for \p reason, ascending. */
 pcl::Indices
-echoesOf(const Surface& surface)
+leftOutFor(LeftOut reason, const Surface& surface)
 {
-  pcl::Indices echoes;
+  pcl::Indices indices;
   for (std::size_t i = 0; i < surface.leftOut().why.size(); ++i)
-    if (surface.leftOut().why[i] == LeftOut::Isolated)
-      echoes.push_back(static_cast<pcl::index_t>(surface.leftOut().indices[i]));
-  return echoes;
+    if (surface.leftOut().why[i] == reason)
+      indices.push_back(static_cast<pcl::index_t>(surface.leftOut().indices[i]));
+  return indices;
 }
 
-/** Keeps the points at which \p tool stays out of the keep-outs, without the \p strips; adds the others to \p figures. */
+pcl::Indices
+without(const pcl::Indices& some, const pcl::Indices& all)
+{
+  pcl::Indices rest;
+  std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
+  return rest;
+}
+
+/** Keeps the points at which \p tool stays out of the keep-outs, without the \p strips; adds the others to \p figures. Of several parts
+ *  only the one that was chosen is kept: few points left of it between keep-outs would have their neighbours on another one. */
 void
 keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const StripChoice& strips, CutScan& from, RegionFigures& figures)
 {
-  const Surface::ConstPtr surface = strips.surface && *strips.surface ? *strips.surface : surfaceOf(from.file, side, from.scan);
+  const Surface::ConstPtr surface =
+      strips.surface && *strips.surface ? *strips.surface : surfaceOf(from.file, side, from.scan, from.part.part_at);
   if (strips.surface)
     *strips.surface = surface;
   region.setInputNormals(normalsOf(*surface, from.scan.cloud->size()));
@@ -169,19 +181,20 @@ keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const St
   region.setShank(shank_radii * tool.radius, tool.lean);
   region.setObstacles(from.part.kept_out);
   region.setMargin(surface->spacing() + from.choice.margin); // the outline may lie up to a spacing beyond the last points
-  pcl::Indices kept = selectedBy(region, from);
+  const pcl::Indices others = leftOutFor(LeftOut::OtherPart, *surface);
+  pcl::Indices kept = without(others, selectedBy(region, from));
   figures.too_close = region.getFigures().too_close;
+  if (!others.empty())
+    from.scan.warnings.push_back(inOptions(surface->warnings().front()));
   const std::vector<UncutStrip> narrow =
       strips.width > 0.0 ? stripsBeside(*surface, *from.scan.cloud, kept, strips.width) : std::vector<UncutStrip>();
   for (std::size_t i = 0; i < narrow.size(); ++i) {
     if (std::find(strips.cut.begin(), strips.cut.end(), i) != strips.cut.end())
       continue;
-    pcl::Indices rest;
-    std::set_difference(kept.begin(), kept.end(), narrow[i].indices.begin(), narrow[i].indices.end(), std::back_inserter(rest));
-    kept = std::move(rest);
+    kept = without(narrow[i].indices, kept);
     from.part.strips.push_back(narrow[i]);
   }
-  const pcl::Indices echoes = echoesOf(*surface);
+  const pcl::Indices echoes = leftOutFor(LeftOut::Isolated, *surface);
   const auto gone =
       std::count_if(echoes.begin(), echoes.end(), [&kept](pcl::index_t i) { return !std::binary_search(kept.begin(), kept.end(), i); });
   figures.too_close -= static_cast<std::size_t>(gone);

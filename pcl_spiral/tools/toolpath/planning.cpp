@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 using namespace pcl_spiral;
 
@@ -238,25 +239,33 @@ withStrips(const Job& job, StripChoice strips, ProgressBar& bar, const Result& i
   return result;
 }
 
-/** The path over the whole region; if there is none, without the narrowest strips beside keep-outs, and no more of them than must be.
+/** The path over the whole region; if there is none, or one that crosses a keep-out, without the narrowest strips beside keep-outs, and no more of them than must be.
  *  A try that fails soon costs a third of a path or less, so all of these are made. */
 Result
 plannedWithLeastUncut(const Job& job, ProgressBar& bar, const Result& input)
 {
   constexpr int most_late = 2; // runs, so that a refusal takes about twice as long as a path
+  std::exception_ptr first;
+  int late = 0;
   try {
     return planned(job, {}, bar, input);
   }
   catch (const NoPath& refusal) {
     if (job.part.keep_outs.empty())
       throw;
-    Surface::ConstPtr surface;
-    int late = refusal.late ? 1 : 0;
-    for (StripChoice strips{2.0, {}, &surface}; strips.width <= 5.0 && late < most_late; strips.width += 1.0)
-      if (std::optional<Result> result = tried(job, strips, bar, input, late))
-        return withStrips(job, strips, bar, input, std::move(*result));
-    throw;
+    first = std::current_exception();
+    late = refusal.late ? 1 : 0;
   }
+  catch (const EntersKeepOut& entry) {
+    if (!entry.crosses())
+      throw;
+    first = std::current_exception();
+  }
+  Surface::ConstPtr surface;
+  for (StripChoice strips{2.0, {}, &surface}; strips.width <= 5.0 && late < most_late; strips.width += 1.0)
+    if (std::optional<Result> result = tried(job, strips, bar, input, late))
+      return withStrips(job, strips, bar, input, std::move(*result));
+  std::rethrow_exception(first);
 }
 
 /** The same. Where the outline lies farther beyond the last points than is usual, the ball enters a keep-out: then it stays farther away

@@ -84,12 +84,13 @@ checkWay(const Job& job, Result& result)
 {
   constexpr double deviations = 5.0;         // of the noise: no point is farther from the surface
   constexpr double more = 2.0, least = 0.25; // times the depth, spacings: farther away, the outline is another one
+  constexpr double beyond = 1.5;             // spacings: how far a path may run beyond the last points
   const double radius = job.settings.tool_radius, allowed = job.settings.chord_error + deviations * result.report.noise;
   if (const auto entry = deepestEntry(*result.path, ballCentres(*result.path, radius), radius, result.part.keep_outs))
     throw EntersKeepOut(job.scan,
                         textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
                                ": enlarge the polygon there by that much (--keep-out)"),
-                        std::max(more * entry->depth, least * result.report.spacing));
+                        std::max(more * entry->depth, least * result.report.spacing), entry->depth > beyond * result.report.spacing);
   const auto isFree = [&](const pcl::PointCloud<ToolpathPoint>& path) {
     const auto cut = deepestPoint(path, radius, result.part.kept_out);
     return !cut || cut->depth <= allowed;

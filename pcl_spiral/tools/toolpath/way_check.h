@@ -12,11 +12,15 @@
 /** A path on which the ball enters a keep-out. */
 class EntersKeepOut : public pcl_spiral::FileError {
 public:
-  EntersKeepOut(const std::string& file, const std::string& reason, double room) : FileError(file, reason), room_(room) {}
-  double room() const { return room_; } ///< how much farther away the ball should stay, mm
+  EntersKeepOut(const std::string& file, const std::string& reason, double room, bool crosses)
+  : FileError(file, reason), room_(room), crosses_(crosses)
+  {}
+  double room() const { return room_; }     ///< how much farther away the ball should stay, mm
+  bool crosses() const { return crosses_; } ///< the path does not only run a little beyond the last points
 
 private:
   double room_;
+  bool crosses_;
 };
 
 /** Warns of single points beside the part in the way, which are taken for false echoes.

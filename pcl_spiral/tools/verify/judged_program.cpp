@@ -13,6 +13,7 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
 #include <pcl_spiral/io/program_reader.h>
+#include <pcl_spiral/machine/impl/tool_pose.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 #include <pcl_spiral/verify/lead_check.h>
@@ -79,17 +80,30 @@ pathOf(const ReferenceSurface& reference, const ProgramPathSettings& settings, c
   return path;
 }
 
+std::vector<BlockContact>
+contactsOf(const ProgramPath& path, const MachineProgram& program)
+{
+  std::vector<BlockContact> contacts(program.blocks.size());
+  for (std::size_t i = 1; i < path.path.size(); ++i) {
+    const Eigen::Vector3d before = path.path[i - 1].getNormalVector3fMap().cast<double>();
+    BlockContact& contact = contacts[path.blocks[i]];
+    contact.way += path.path[i].arc_length - path.path[i - 1].arc_length;
+    contact.turn += angleBetween(before, path.path[i].getNormalVector3fMap().cast<double>());
+  }
+  return contacts;
+}
+
 /** Warns where a block seems to be missing. */
 void
-checkPace(const VerifyJob& job, const ProgramFile& read, Verification& verification)
+checkPace(const VerifyJob& job, const ProgramFile& read, const ProgramPath& path, Verification& verification)
 {
-  const std::vector<HurriedBlock> hurried = hurriedBlocks(read.program, job.settings.cutter.corner_radius);
+  const std::vector<HurriedBlock> hurried = hurriedBlocks(read.program, job.settings.cutter.corner_radius, contactsOf(path, read.program));
   if (!hurried.empty())
     verification.program->warnings.push_back(
         textOf("line ", read.lines[hurried.front().block], ": the cutter moves ", hurried.front().times,
                " times as fast as on the lines before and after",
                hurried.size() > 1 ? textOf(", and so on ", hurried.size() - 1, " other lines") : std::string(),
-               ": if the path has no sharp edge and no sharp turn there, a block is missing before it; write the program again"));
+               ": perhaps a block is missing before it; write the program again"));
 }
 
 } // namespace
@@ -134,7 +148,7 @@ readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::strin
                                       "line of your shop starts it; write M3 with a speed"));
   judged.verification.program = std::move(program);
   checkOtherMoves(job, part, *reference, read, judged.verification);
-  checkPace(job, read, judged.verification);
+  checkPace(job, read, path, judged.verification);
   if (path.path.empty()) {
     std::string all;
     for (const std::string& fault : judged.verification.program->faults)

@@ -151,7 +151,7 @@ public:
   const std::vector<StandingCluster>& clusters() const { return parts_.clusters; }
   /** Points of the clusters that a ball must clear: all with ClusterHandling::Ride, else none. */
   std::vector<Eigen::Vector3f> riddenPoints() const;
-  /** Which points were left out and whether the side is guessed, as text. */
+  /** Which points were left out and whether the side is guessed, as text: first which of several parts was kept, if one was. */
   const std::vector<std::string>& warnings() const { return parts_.warnings; }
 
 private:
