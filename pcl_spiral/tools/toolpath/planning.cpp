@@ -1,211 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
-#include "holder_way.h"
-#include "job_failure.h"
 #include "joined_regions.h"
-#include "mesh_input.h"
-#include "path_judging.h"
-#include "terminal/scan_places.h"
-#include "terminal/setter_names.h"
+#include "single_run.h"
 #include "way_check.h"
 
-#include <pcl_spiral/io/cloud_reader.h>
-#include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/spiral/spiral_toolpath_generator.h>
-
 #include <pcl_spiral/common/impl/message.h>
-#include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/io/file_error.h>
 
-#include <algorithm>
-#include <cmath>
 #include <exception>
 
 using namespace pcl_spiral;
 
 namespace {
 
-/** A refusal of the surface or of the generator. */
-class NoPath : public FileError {
-public:
-  NoPath(const std::string& file, const std::string& reason, bool is_late) : FileError(file, reason), late(is_late) {}
-  bool late; ///< after turns were made: as slow as a path
-};
-
-/** Sets which points of the scan are the part. */
-template <typename Stage>
-void
-setPart(const Job& job, const Result& result, Stage& stage)
-{
-  if (result.part.part_at)
-    stage.setPartAt(*result.part.part_at);
-  stage.setClusterHandling(job.part.clusters);
-}
-
-/** Whether turns were made before the generator of \p report ended. */
-bool
-madeTurns(const SpiralReport& report)
-{
-  return std::any_of(report.stages.begin(), report.stages.end(),
-                     [](const StageCost& stage) { return stage.name == "step-over field" || stage.name == "radial lines"; });
-}
-
-/** \throw NoPath, and what requireOk throws */
-void
-requirePath(const Job& job, const Status& status, bool is_late = false)
-{
-  if (status.ok() || status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::Cancelled || cancelled())
-    requireOk(job, status);
-  else
-    throw NoPath(job.scan, inWords(job, status.message()), is_late);
-}
-
-/** The surface of the samples of a mesh, or the one that planning, verification and the map of reach share. */
-Surface::ConstPtr
-surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
-{
-  ScannedSurface<pcl::PointXYZ> scanned;
-  scanned.setInputCloud(result.scan.cloud);
-  if (result.mesh)
-    scanned.setInputNormals(result.mesh->normals);
-  else
-    setSide(result.side, scanned);
-  scanned.setFlipNormals(job.settings.flip_normals && !result.mesh);
-  scanned.setLargestPart(job.settings.largest_part);
-  scanned.setThinning(result.mesh ? 0.0 : job.settings.thinning);
-  if (job.settings.outlier_neighbours > 0 && !result.mesh)
-    scanned.setOutlierRemoval(job.settings.outlier_neighbours, job.settings.outlier_deviations);
-  setPart(job, result, scanned);
-  scanned.setNumberOfThreads(job.settings.threads);
-  scanned.setQuiet(true);
-  scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.25 * share, stage); });
-  Surface::ConstPtr surface;
-  scanned.compute(surface);
-  requirePath(job, scanned.getStatus());
-  return surface;
-}
-
-/** Reads the scan, or the samples of the mesh: what all regions share. */
-void
-readInput(const Job& job, ProgressBar& bar, Result& result)
-{
-  bar.update(0.0, "reading " + job.scan);
-  if (job.mesh)
-    readMeshSamples(job, bar, result);
-  else {
-    result.scan = readCloud(job.scan, job.read);
-    setScanFrame(result.scan.shift, job.read);
-    result.scan.warnings = inOptions(result.scan.warnings);
-    result.side = sideOf(result.scan, fromScan(job.settings.view_point));
-  }
-  result.whole_scan = result.scan.cloud;
-}
-
-/** How far the tool axis leans from the normal, degrees: the tilt asked for, and what smoothing may add. */
-double
-leanOf(const SpiralSettings& s)
-{
-  constexpr double most = 60.0; // a shank that leans more would touch the surface itself
-  const double asked = std::acos(std::cos(s.tilt_angle * degree) * std::cos(s.lead_angle * degree)) / degree;
-  return std::min(most, asked + s.axis_deviation);
-}
-
-/** Takes the points of the part out of the scan, and makes their surface if more than the planner needs it. */
-void
-choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageClock& clock, Result& result)
-{
-  result.part = choosePart(job.part, job.scan, job.read, {job.settings.tool_radius, leanOf(job.settings)},
-                           {result.side, job.settings.flip_normals, job.settings.threads}, result.scan, strips);
-  if (strips.width > 0.0 && result.part.strips.empty())
-    throw NoPath(job.scan, "no strip beside a keep-out is that narrow", false); // soon: the points are those that were refused
-  if (job.part.cuts())
-    result.side = sideOf(result.scan, fromScan(job.settings.view_point));
-  clock.end("reading");
-  if (cancelled())
-    throw Cancelled();
-  // The other parts and the clusters are looked at again when the path is there.
-  const bool echoes = !job.holder.empty() && job.part.clusters == ClusterHandling::LeaveOut;
-  const bool apart = job.part.part_at || job.settings.largest_part || job.part.clusters == ClusterHandling::Ride || echoes;
-  if (!job.mesh && job.reach.empty() && !apart && !(job.verify && judgedByTheSameSurface(job.settings)))
-    return;
-  result.surface = surfaceOf(job, result, bar);
-  if (result.mesh)
-    keepUsedParts(*result.surface, result);
-  for (std::size_t i = 0; echoes && i < result.surface->clusters().size(); ++i)
-    for (const std::uint32_t index : result.surface->clusters()[i].indices)
-      result.echoes.push_back((*result.scan.cloud)[index].getVector3fMap());
-  clock.end("surface");
-}
-
-/** Least width of a hole, mm: the holes that keep-outs leave must not count as gaps in the data. */
-double
-keepOutHoleSize(const Job& job, const Result& result)
-{
-  constexpr double share = 0.7; // of the polygon and the ball beside it: on slopes the ball needs less room on one side
-  double size = job.settings.hole_size;
-  for (const Prism& prism : result.part.keep_outs)
-    if (const double left = share * (prism.width() + 2.0 * job.settings.tool_radius); size == 0.0 || left < size)
-      size = left;
-  return size;
-}
-
-/** The settings for the generator. */
-SpiralSettings
-settingsFor(const Job& job, const Result& result)
-{
-  SpiralSettings settings = job.settings;
-  settings.centre = fromScan(settings.centre);
-  settings.start_point = fromScan(settings.start_point);
-  if (!result.mesh)
-    settings.view_point = result.side.view_point;
-  settings.hole_size = keepOutHoleSize(job, result);
-  if (result.mesh) {
-    settings.hole_size = meshHoleSize(job, *result.mesh);
-    settings.flip_normals = false; // the mesh is turned already
-  }
-  return settings;
-}
-
-/** The path over the region that job.part chooses, without its narrow \p strips beside keep-outs. \p result has what readInput gave. */
-Result
-planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result result)
-{
-  result.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
-  std::vector<StageCost> stages;
-  StageClock clock(stages);
-  choosePoints(job, strips, bar, clock, result);
-  SpiralToolpathGenerator<pcl::PointXYZ> generator;
-  generator.setInputCloud(result.scan.cloud);
-  if (result.surface)
-    generator.setInputSurface(result.surface);
-  else
-    setSide(result.side, generator);
-  if (!result.surface)
-    setPart(job, result, generator);
-  result.settings = settingsFor(job, result);
-  generator.setSettings(result.settings);
-  result.settings.flip_normals = job.settings.flip_normals;
-  generator.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
-  generator.compute(*result.path);
-  bar.clear();
-  requirePath(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus(),
-              madeTurns(generator.getReport()));
-  result.report = generator.getReport();
-  checkWay(job, result);
-  checkHolder(job, result);
-  for (std::string& warning : result.report.warnings)
-    warning = inWords(job, warning);
-  if (result.mesh)
-    for (const std::string& warning : creaseWarnings(*result.mesh, *result.surface))
-      result.report.warnings.push_back(warning);
-  if (result.surface)
-    result.report.passes += result.surface->counts().passes;
-  result.report.stages.insert(result.report.stages.begin(), stages.begin(), stages.end());
-  for (const UncutStrip& strip : result.part.strips)
-    result.report.warnings.push_back(stripText(strip));
-  return result;
-}
-
-/** The same; absent if there is none, or if no point is left. Adds to \p late if it failed late. */
+/** The path over the region without \p strips; absent if there is none, or if no point is left. Adds to \p late if it failed late. */
 std::optional<Result>
 tried(const Job& job, const StripChoice& strips, ProgressBar& bar, const Result& input, int& late)
 {
@@ -239,8 +47,8 @@ withStrips(const Job& job, StripChoice strips, ProgressBar& bar, const Result& i
   return result;
 }
 
-/** The path over the whole region; if there is none, or one that crosses a keep-out, without the narrowest strips beside keep-outs, and no more of them than must be.
- *  A try that fails soon costs a third of a path or less, so all of these are made. */
+/** The path over the whole region. If there is none, or if it crosses a keep-out, the narrowest strips beside keep-outs are left out,
+ *  and no more of them than must be. A try that fails soon costs a third of a path or less, so all of these are made. */
 Result
 plannedWithLeastUncut(const Job& job, ProgressBar& bar, const Result& input)
 {
