@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -178,6 +179,42 @@ pictureTitled(const std::string& title)
   titled.title = title;
   SpiralPictures(titled).writeSpiral(folder.path("a.png"));
   return readText(folder.path("a.png"));
+}
+
+bool
+isOrange(const Pixel& p)
+{
+  return p[0] > 190 && p[1] > 60 && p[1] < 110 && p[2] < 40;
+}
+
+TEST(Pictures, KeepOutsAreDrawnAtTheirPlace)
+{
+  if (!displayProblem().empty())
+    GTEST_SKIP() << "no display here";
+  const ScratchFolder folder;
+  const auto orange = [&](double half) { // pixels of a keep-out about the middle
+    PictureScene drawn = scene();
+    if (half > 0.0)
+      drawn.keep_outs.emplace_back(
+          std::vector<Eigen::Vector3d>{{-half, -half, 0.0}, {half, -half, 0.0}, {half, half, 0.0}, {-half, half, 0.0}},
+          Eigen::Vector3d::UnitZ());
+    const SpiralPictures pictures(drawn);
+    pictures.writeLines(folder.path("lines.png"));
+    pictures.writeSpiral(folder.path("spiral.png"));
+    const auto count = [&](const std::string& name) {
+      std::size_t sum = 0;
+      for (const auto& [pixel, n] : colorsOf(folder.path(name), 0, lines_end))
+        sum += isOrange(pixel) ? n : 0;
+      return static_cast<double>(sum);
+    };
+    return std::array<double, 2>{count("lines.png"), count("spiral.png")};
+  };
+  const auto none = orange(0.0), small = orange(20.0), large = orange(40.0);
+  for (const int picture : {0, 1}) {
+    EXPECT_LT(none[picture], 20.0);
+    EXPECT_GT(small[picture], 1000.0);
+    EXPECT_NEAR(large[picture] / small[picture], 2.0, 0.15) << "twice as long";
+  }
 }
 
 TEST(Pictures, AreTheSameEveryTime)

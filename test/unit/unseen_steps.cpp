@@ -4,6 +4,7 @@
 #include "support/surfaces.h"
 
 #include <pcl_spiral/graph/impl/surface_graph.h>
+#include <pcl_spiral/surface/scanned_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -165,6 +166,40 @@ TEST(UnseenSteps, ASmallThingAboveIsApartAndASmallFloorBelowIsNot)
     graphOf(points).triangulation().parts(sizes);
     EXPECT_EQ(sizes.size(), high > 0.0 ? 2U : 1U) << high;
   }
+}
+
+/** A plate on a gentle dome, its sides not seen: it is named with its points, height and extent. */
+TEST(UnseenSteps, APlateOnAPartIsACluster)
+{
+  constexpr double spacing = 0.8, sphere = 120.0;
+  for (const double high : {2.4, 4.0, 7.0})
+    for (const double half : {3.0, 4.5}) {
+      SCOPED_TRACE(std::to_string(high) + " mm high, " + std::to_string(2.0 * half) + " mm wide");
+      test::Random random(17);
+      std::vector<Vector3d> points;
+      int on_plate = 0;
+      for (int i = -40; i <= 40; ++i)
+        for (int k = -40; k <= 40; ++k) {
+          const Vector2d p = spacing * Vector2d(i + random.uniform(-0.3, 0.3), k + random.uniform(-0.3, 0.3));
+          const bool on = (p - Vector2d(5.0, 0.0)).cwiseAbs().maxCoeff() < half;
+          const double dome = std::sqrt(sphere * sphere - p.squaredNorm()) - sphere;
+          on_plate += on;
+          points.emplace_back(p.x(), p.y(), (on ? high : dome) + 0.01 * random.normal());
+        }
+      ScannedSurface<pcl::PointXYZ> scanned;
+      scanned.setInputCloud(test::toCloud(points));
+      scanned.setStrict(false);
+      scanned.setQuiet(true);
+      Surface::ConstPtr surface;
+      scanned.compute(surface);
+      ASSERT_TRUE(surface) << scanned.getStatus().message();
+      ASSERT_EQ(surface->clusters().size(), 1U);
+      const StandingCluster& cluster = surface->clusters()[0];
+      EXPECT_NEAR(static_cast<double>(cluster.indices.size()), on_plate, 0.1 * on_plate);
+      EXPECT_NEAR(cluster.height, high + 0.2, 0.3) << "over the dome";
+      EXPECT_LT((cluster.place.head<2>() - Vector2d(5.0, 0.0)).norm(), spacing);
+      EXPECT_TRUE(cluster.hides_surface);
+    }
 }
 
 } // namespace

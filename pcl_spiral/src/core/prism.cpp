@@ -107,6 +107,21 @@ Prism::contains(const Eigen::Vector3d& place) const
   return inside;
 }
 
+std::vector<Eigen::Vector3d>
+Prism::outline(double step) const
+{
+  std::vector<Eigen::Vector3d> places;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Eigen::Vector2d side = corners_[(i + 1) % corners_.size()] - corners_[i];
+    const int steps = std::max(1, static_cast<int>(std::ceil(side.norm() / step)));
+    for (int k = 0; k < steps; ++k) {
+      const Eigen::Vector2d flat = corners_[i] + side * k / steps;
+      places.emplace_back(flat.x() * across_[0] + flat.y() * across_[1]);
+    }
+  }
+  return places;
+}
+
 double
 Prism::width() const
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boundary_layer.h"
 #include "canvas.h"
+#include "keep_out_layer.h"
 
 namespace pcl_spiral {
 
@@ -9,7 +10,8 @@ SpiralPictures::writeLines(const std::string& file) const
 {
   Canvas canvas(*surface_);
   const auto colors = heightColors(*surface_);
-  const std::vector<LegendEntry> legend = addBoundaries(canvas, scene_.report, colors);
+  std::vector<LegendEntry> legend = addBoundaries(canvas, scene_.report, colors);
+  addKeepOuts(canvas, scene_, legend);
   canvas.addAxes();
   canvas.addLegend(legend);
   canvas.addColorBar("height, mm", colors);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "canvas.h"
 #include "end_views.h"
+#include "keep_out_layer.h"
 #include "path_layer.h"
 
 namespace pcl_spiral {
@@ -15,6 +16,7 @@ SpiralPictures::writeSpiral(const std::string& file) const
   const auto colors = colorScale(0.0, static_cast<double>(report.turns));
   std::vector<LegendEntry> legend{addSpiral(canvas, *scene.path, turns, colors)};
   addOverGaps(canvas, *scene.path, turns, legend);
+  addKeepOuts(canvas, scene, legend);
   canvas.addAxes();
   canvas.addColorBar("turn", colors);
   for (const LegendEntry& end : markEnds(canvas, *scene.path))

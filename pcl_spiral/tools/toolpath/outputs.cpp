@@ -70,7 +70,8 @@ sceneOf(const Result& result, const std::string& title)
                 result.mesh ? result.mesh->mesh : nullptr,
                 result.path,
                 result.settings,
-                result.report};
+                result.report,
+                result.regions.empty() ? result.part.keep_outs : result.regions.front().part.keep_outs};
   return scene;
 }
 

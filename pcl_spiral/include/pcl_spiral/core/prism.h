@@ -24,6 +24,9 @@ public:
   /** True if \p place is inside, by the rule of odd crossings; places on a side may be either. */
   bool contains(const Eigen::Vector3d& place) const;
 
+  /** Places on the sides in order, at most \p step apart, in the plane through the origin square to the axis. */
+  std::vector<Eigen::Vector3d> outline(double step) const;
+
   /** Largest distance of two corners, square to the axis. */
   double width() const;
 

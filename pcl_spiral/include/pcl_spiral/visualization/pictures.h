@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/core/prism.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -14,6 +15,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -25,6 +27,7 @@ struct PictureScene {
   pcl::PointCloud<ToolpathPoint>::ConstPtr path;  ///< contacts in travel order
   SpiralSettings settings;                        ///< by which the path was made
   SpiralReport report;                            ///< of its making: loops, lines, figures
+  std::vector<Prism> keep_outs;                   ///< drawn as lines over the part, as high as the path nearest to them
 };
 
 /** What is wrong with the X display through which VTK draws: "DISPLAY is not set"; empty if nothing is wrong. */
