@@ -72,7 +72,7 @@ lowOnTable(Scene& s, test::Random& random)
       rim.push_back(s.part->lift(outline[i] + side * k / steps));
   }
   const auto lower = [](const Vector3d& a, const Vector3d& b) { return a.z() < b.z(); };
-  const double table = std::min_element(rim.begin(), rim.end(), lower)->z() - s.spacing * random.uniform(3.5, 12.0);
+  const double table = std::min_element(rim.begin(), rim.end(), lower)->z() - s.spacing * random.uniform(3.0, 12.0);
   addTable(s, table, random.uniform(10.0, 60.0));
   for (const Vector3d& top : rim)
     for (double z = table; z < top.z(); z += 0.5)

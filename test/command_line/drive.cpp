@@ -170,8 +170,8 @@ TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
   }
   // at most 2 sqrt(R^2 - (R - h)^2) apart
   EXPECT_NEAR(static_cast<double>(passes), (largest - least) / (2.0 * std::sqrt(16.0 - 3.8 * 3.8)) + 1.0, 1.6);
-  const std::string call = "cd '" + machines + "/rs274' && rs274 -i rs274.ini -g '" + folder.path("a.ngc") + "' '" +
-                           folder.path("canon.txt") + "' 2>'" + folder.path("messages.txt") + "'";
+  const std::string call = "export HOME='" + folder.root().string() + "'; cd '" + machines + "/rs274' && rs274 -i rs274.ini -g '" +
+                           folder.path("a.ngc") + "' '" + folder.path("canon.txt") + "' 2>'" + folder.path("messages.txt") + "'";
   ASSERT_EQ(std::system(call.c_str()), 0) << readText(folder.path("messages.txt"));
   const RunResult others = run(
       folder, {"cap.xyz", "--tool-radius", "4", "--corner-radius", "1", "--step-over", "8", "-o", "b.apt", "-o", "b.yaml", "-o", "b.csv"});
@@ -527,8 +527,8 @@ TEST(Drive, LinksStayDownWhereTheWayIsFree)
   EXPECT_EQ(count("(link to the next pass)"), begins.size());
   EXPECT_EQ(count("(end of the link)"), begins.size());
   expectHas(readText(folder.path("a.json")), "\"blocked_links\": 0");
-  const std::string canon = "cd '" + machines + "/rs274' && rs274 -i rs274.ini -g '" + folder.path("a.ngc") + "' '" +
-                            folder.path("canon.txt") + "' 2>'" + folder.path("messages.txt") + "'";
+  const std::string canon = "export HOME='" + folder.root().string() + "'; cd '" + machines + "/rs274' && rs274 -i rs274.ini -g '" +
+                            folder.path("a.ngc") + "' '" + folder.path("canon.txt") + "' 2>'" + folder.path("messages.txt") + "'";
   ASSERT_EQ(std::system(canon.c_str()), 0) << readText(folder.path("messages.txt"));
 
   // A post 4.4 mm from the axis at the end of a row: rows and leads pass, the link comes nearer than the radius and 1 mm.

@@ -35,8 +35,8 @@ expectHas(const std::string& text, const std::string& part)
 int
 interpret(const ScratchFolder& folder, const std::string& file)
 {
-  const std::string call = "cd '" + machines + "/rs274' && rs274 -i rs274.ini -g '" + folder.path(file) + "' '" + folder.path("canon.txt") +
-                           "' 2>'" + folder.path("messages.txt") + "'";
+  const std::string call = "export HOME='" + folder.root().string() + "'; cd '" + machines + "/rs274' && rs274 -i rs274.ini -g '" +
+                           folder.path(file) + "' '" + folder.path("canon.txt") + "' 2>'" + folder.path("messages.txt") + "'";
   return std::system(call.c_str());
 }
 

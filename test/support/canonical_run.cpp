@@ -74,7 +74,10 @@ interpret(const std::string& program, const ScratchFolder& folder, const std::st
   writeText(tools, "T3 P3 Z" + std::to_string(length / 25.4) + "\n"); // rs274 alone reads inches
   const std::string options = settings.empty() ? "" : "cd '" + settings + "' && rs274 -i rs274.ini -t '" + tools + "'";
   CanonicalRun run;
-  run.code = std::system(((settings.empty() ? "rs274" : options) + " -g '" + program + "' '" + out + "' 2>'" + err + "'").c_str());
+  // Its tool table is a mapped file at home: runs at the same time would share it.
+  run.code = std::system(("export HOME='" + folder.root().string() + "'; " + (settings.empty() ? "rs274" : options) + " -g '" + program +
+                          "' '" + out + "' 2>'" + err + "'")
+                             .c_str());
   std::istringstream messages(readText(err));
   for (std::string line; std::getline(messages, line);)
     if (line.find("executing") == std::string::npos)

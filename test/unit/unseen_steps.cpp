@@ -108,7 +108,7 @@ TEST(UnseenSteps, APartOnATableIsApartFromIt)
   std::uint64_t seed = 0;
   for (const Rows rows : {Rows::Jittered, Rows::Random, Rows::Lines})
     for (const double spacing : {0.6, 1.0})
-      for (const double spacings : {3.2, 4.0, 5.0, 6.5, 8.0, 10.0}) {
+      for (const double spacings : {2.7, 3.0, 4.0, 5.0, 6.5, 8.0, 10.0}) {
         SCOPED_TRACE(std::to_string(static_cast<int>(rows)) + ", spacing " + std::to_string(spacing) + ", high " +
                      std::to_string(spacings));
         const Scene scene(spacings * spacing, spacing, rows, ++seed);
@@ -116,6 +116,28 @@ TEST(UnseenSteps, APartOnATableIsApartFromIt)
         EXPECT_EQ(largeParts(graph), 2U);
         EXPECT_LT(joining(graph, scene.on_dome), 5U) << "of a rim of " << 2.0 * pi * rim / spacing << " points";
         EXPECT_NEAR(areaOf(graph), whole, 2.5 * spacing * 2.0 * pi * rim) << "only triangles at the rim are gone";
+      }
+}
+
+TEST(UnseenSteps, AWallAcrossWithWavesAndCornersParts)
+{
+  for (const bool corners : {false, true})
+    for (const double high : corners ? std::vector<double>{3.0, 4.0} : std::vector<double>{2.2, 3.0, 4.0})
+      for (const std::uint64_t seed : {1, 2, 3}) {
+        SCOPED_TRACE(std::to_string(corners) + ", " + std::to_string(high) + " mm, seed " + std::to_string(seed));
+        test::Random random(seed);
+        std::vector<Vector3d> points;
+        std::vector<std::uint8_t> on_top;
+        for (int i = -30; i <= 30; ++i)
+          for (int k = -30; k <= 30; ++k) {
+            const Vector2d p = 0.8 * Vector2d(i + random.uniform(-0.45, 0.45), k + random.uniform(-0.45, 0.45));
+            const double wall = corners ? 2.0 * std::abs(std::remainder(p.y(), 8.0)) - 4.0 : 3.0 * std::sin(p.y() / 4.0);
+            on_top.push_back(p.x() < wall);
+            points.emplace_back(p.x(), p.y(), on_top.back() ? high : 0.0);
+          }
+        const SurfaceGraph graph = graphOf(points, test::randomMotion(seed, 100.0));
+        EXPECT_EQ(largeParts(graph), 2U);
+        EXPECT_LE(joining(graph, on_top), corners ? 10U : 0U) << "of a wall of " << (corners ? 134 : 75) << " points";
       }
 }
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
+#include <tuple>
 
 namespace pcl_spiral {
 namespace {
@@ -18,7 +20,8 @@ constexpr int few = 12;                // neighbours, all on one side of a step 
 constexpr float steep = 0.5f;          // sine of the angle between an edge and the surface at both ends
 constexpr float perhaps_steep = 0.25f; // the same with normals that lean beside the step
 constexpr double large = 0.02;         // of all triangles
-constexpr double mostly = 0.9;         // of the edges between two surfaces
+constexpr double most_near = 0.1;      // of the points: with more of them, noise or loose points make the steps
+constexpr double mostly = 0.9;         // of the step edges at a surface: they lead up to one that stands on another
 
 /** The work of removeUnseenSteps. */
 class UnseenSteps {
@@ -28,11 +31,18 @@ public:
   /** One flag per triangle, 1 if it is to be removed; empty if none is. */
   std::vector<std::uint8_t> find()
   {
-    if (!flagSteps())
+    if (!findNormals() || !findSteps())
       return {};
     findSurfaces();
+    widenSurfaces(false);
+    findAlone();
     if (std::count(stands_alone_.begin(), stands_alone_.end(), 1) < 2)
       return {};
+    for (std::uint32_t& surface : of_point_)
+      if (surface != none && !stands_alone_[surface])
+        surface = none;
+    widenSurfaces(false); // over what does not stand alone
+    widenSurfaces(true);  // what only steps lead to, such as single points on the side
     return betweenSurfaces();
   }
 
@@ -51,15 +61,24 @@ private:
   }
   float rise(std::uint32_t h) const { return rise(h, normals_, steep); }
 
+  /** Calls \p visit for the half-edges of the triangles about point \p v that begin or end there, until it returns true. Returns whether it
+   *  did. */
+  template <typename Visit>
+  bool anyAbout(std::uint32_t v, Visit visit) const
+  {
+    for (std::uint32_t k = mesh_.outgoingBegin(v); k < mesh_.outgoingBegin(v + 1); ++k)
+      if (visit(mesh_.outgoing(k)) || visit(Triangulation::previous(mesh_.outgoing(k))))
+        return true;
+    return false;
+  }
+
   /** Normals of few neighbours at the ends of edges that may be steps: beside a step, those of more neighbours lean. False if there is no
    *  such edge. */
   bool findNormals()
   {
     std::vector<std::uint8_t> is_end(cloud_.normals.size(), 0);
-    const auto mayStep = [&](std::uint32_t h) { return rise(h, cloud_.normals, perhaps_steep) != 0.0f; };
     forPoints(is_end.size(), [&](std::uint32_t v) {
-      for (std::uint32_t k = mesh_.outgoingBegin(v); k < mesh_.outgoingBegin(v + 1) && is_end[v] == 0; ++k)
-        is_end[v] = mayStep(mesh_.outgoing(k)) || mayStep(Triangulation::previous(mesh_.outgoing(k)));
+      is_end[v] = anyAbout(v, [&](std::uint32_t h) { return rise(h, cloud_.normals, perhaps_steep) != 0.0f; });
     });
     if (std::find(is_end.begin(), is_end.end(), 1) == is_end.end())
       return false;
@@ -85,59 +104,93 @@ private:
     return true;
   }
 
-  /** Flags the triangles over steps; false if there is none. */
-  bool flagSteps()
+  /** Flags the points of triangles with a step; false if there is none, or too many for the rim of a part. */
+  bool findSteps()
   {
-    if (!findNormals())
-      return false;
-    is_step_.assign(mesh_.triangleCount(), 0);
-    forPoints(is_step_.size(),
-              [&](std::uint32_t t) { is_step_[t] = rise(3 * t) != 0.0f || rise(3 * t + 1) != 0.0f || rise(3 * t + 2) != 0.0f; });
-    return std::find(is_step_.begin(), is_step_.end(), 1) != is_step_.end();
+    std::vector<std::uint8_t> is_step(mesh_.triangleCount(), 0);
+    forPoints(is_step.size(),
+              [&](std::uint32_t t) { is_step[t] = rise(3 * t) != 0.0f || rise(3 * t + 1) != 0.0f || rise(3 * t + 2) != 0.0f; });
+    near_step_.assign(normals_.size(), 0);
+    forPoints(near_step_.size(),
+              [&](std::uint32_t v) { near_step_[v] = anyAbout(v, [&](std::uint32_t h) { return is_step[h / 3] != 0; }); });
+    const auto near = static_cast<double>(std::count(near_step_.begin(), near_step_.end(), 1));
+    return near > 0.0 && near <= most_near * static_cast<double>(near_step_.size());
   }
 
-  /** Calls \p visit for each triangle of the connected region of \p t in which \p belongs, which \p visit must end. */
-  template <typename Belongs, typename Visit>
-  void flood(std::uint32_t t, Belongs belongs, Visit visit)
+  bool isAtStep(std::uint32_t t) const
   {
-    visit(t);
-    stack_.assign(1, t);
-    while (!stack_.empty()) {
-      const std::uint32_t from = stack_.back();
-      stack_.pop_back();
-      for (std::uint32_t h = 3 * from; h < 3 * from + 3; ++h)
-        if (const std::uint32_t other = mesh_.opposite(h); other != none && belongs(other / 3)) {
-          visit(other / 3);
-          stack_.push_back(other / 3);
-        }
-    }
+    const auto& [a, b, c] = mesh_.triangle(t);
+    return near_step_[a] || near_step_[b] || near_step_[c];
   }
 
-  /** The surfaces between steps, and which of them stand alone: large ones, and small ones above what is around them. */
+  /** The surfaces without the triangles at steps, where a single one that is no step could join two: sizes_, and of_point_. */
   void findSurfaces()
   {
-    std::vector<std::size_t> sizes;
-    surface_.assign(mesh_.triangleCount(), none);
-    for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
-      if (is_step_[t] || surface_[t] != none)
-        continue;
-      const auto number = static_cast<std::uint32_t>(sizes.size());
-      sizes.push_back(0);
-      flood(
-          t, [&](std::uint32_t other) { return !is_step_[other] && surface_[other] == none; },
-          [&](std::uint32_t other) {
-            surface_[other] = number;
-            ++sizes[number];
-          });
-    }
     of_point_.assign(cloud_.blocks.size(), none);
-    for (std::uint32_t h = 0; h < mesh_.halfEdgeCount(); ++h)
-      if (surface_[h / 3] != none)
-        of_point_[mesh_.origin(h)] = surface_[h / 3];
-    std::vector<std::size_t> up(sizes.size(), 0), down(sizes.size(), 0); // edges that lead to a surface from below, from above
-    for (std::uint32_t h = 0; h < mesh_.halfEdgeCount(); ++h) {
-      if (!is_step_[h / 3])
+    std::vector<std::uint32_t> surface(mesh_.triangleCount(), none), stack;
+    for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
+      if (surface[t] != none || isAtStep(t))
         continue;
+      const auto number = static_cast<std::uint32_t>(sizes_.size());
+      sizes_.push_back(0);
+      surface[t] = number;
+      stack.assign(1, t);
+      while (!stack.empty()) {
+        const std::uint32_t from = stack.back();
+        stack.pop_back();
+        ++sizes_[number];
+        for (std::uint32_t h = 3 * from; h < 3 * from + 3; ++h) {
+          of_point_[mesh_.origin(h)] = number;
+          if (const std::uint32_t other = mesh_.opposite(h); other != none && surface[other / 3] == none && !isAtStep(other / 3)) {
+            surface[other / 3] = number;
+            stack.push_back(other / 3);
+          }
+        }
+      }
+    }
+  }
+
+  /** Gives each point without a surface that one, of those that edges lead to, from whose nearest plane it is least far off. With
+   *  \p over_steps also steps are such edges. */
+  void widenSurfaces(bool over_steps)
+  {
+    struct Reached {
+      float off;                 ///< the plane of the seed
+      std::uint32_t point, seed; ///< seed: a point that had a surface
+      bool operator<(const Reached& other) const
+      {
+        return std::tie(off, point, seed) > std::tie(other.off, other.point, other.seed); // the least on top of the queue
+      }
+    };
+    std::priority_queue<Reached> reached;
+    const auto reachAbout = [&](std::uint32_t v, std::uint32_t seed) {
+      anyAbout(v, [&](std::uint32_t h) {
+        const std::uint32_t other = mesh_.origin(h) == v ? mesh_.target(h) : mesh_.origin(h);
+        if (of_point_[other] == none && (over_steps || rise(h) == 0.0f)) {
+          const Eigen::Vector3f away = cloud_.blocks.point(other) - cloud_.blocks.point(seed);
+          reached.push({std::abs(away.dot(normals_[seed])), other, seed});
+        }
+        return false;
+      });
+    };
+    for (std::uint32_t v = 0; v < of_point_.size(); ++v)
+      if (of_point_[v] != none)
+        reachAbout(v, v);
+    while (!reached.empty()) {
+      const Reached next = reached.top();
+      reached.pop();
+      if (of_point_[next.point] != none)
+        continue;
+      of_point_[next.point] = of_point_[next.seed];
+      reachAbout(next.point, next.seed);
+    }
+  }
+
+  /** Which surfaces stand alone: large ones, and small ones above what is around them. */
+  void findAlone()
+  {
+    std::vector<std::size_t> up(sizes_.size(), 0), down(sizes_.size(), 0); // steps that lead to a surface from below, from above
+    for (std::uint32_t h = 0; h < mesh_.halfEdgeCount(); ++h) {
       const std::uint32_t from = of_point_[mesh_.origin(h)], to = of_point_[mesh_.target(h)];
       const float height = from != to && from != none && to != none ? rise(h) : 0.0f;
       if (height == 0.0f)
@@ -145,54 +198,30 @@ private:
       ++(height > 0.0f ? up : down)[to];
       ++(height > 0.0f ? down : up)[from];
     }
-    stands_alone_.resize(sizes.size());
-    for (std::size_t s = 0; s < sizes.size(); ++s)
-      stands_alone_[s] = static_cast<double>(sizes[s]) >= large * static_cast<double>(mesh_.triangleCount()) ||
+    stands_alone_.resize(sizes_.size());
+    for (std::size_t s = 0; s < sizes_.size(); ++s)
+      stands_alone_[s] = static_cast<double>(sizes_[s]) >= large * static_cast<double>(mesh_.triangleCount()) ||
                          static_cast<double>(up[s]) > mostly * static_cast<double>(up[s] + down[s]);
   }
 
-  bool isAlone(std::uint32_t surface) const
+  /** Flags the triangles with corners on two surfaces. */
+  std::vector<std::uint8_t> betweenSurfaces() const
   {
-    return surface != none && stands_alone_[surface] != 0;
-  }
-
-  /** Flags each region between surfaces that stand alone, if it has corners on two of them. */
-  std::vector<std::uint8_t> betweenSurfaces()
-  {
-    std::vector<std::uint8_t> seen(mesh_.triangleCount(), 0), removed(mesh_.triangleCount(), 0);
-    std::vector<std::uint32_t> region;
-    for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
-      if (seen[t] || isAlone(surface_[t]))
-        continue;
-      region.clear();
-      std::uint32_t first = none;
-      bool joins = false;
-      flood(
-          t, [&](std::uint32_t other) { return !seen[other] && !isAlone(surface_[other]); },
-          [&](std::uint32_t inside) {
-            seen[inside] = 1;
-            region.push_back(inside);
-            for (const std::uint32_t corner : mesh_.triangle(inside))
-              if (const std::uint32_t other = of_point_[corner]; isAlone(other)) {
-                joins = joins || (first != none && first != other);
-                first = other;
-              }
-          });
-      if (joins)
-        for (const std::uint32_t inside : region)
-          removed[inside] = 1;
-    }
+    std::vector<std::uint8_t> removed(mesh_.triangleCount(), 0);
+    forPoints(removed.size(), [&](std::uint32_t t) {
+      const auto& [a, b, c] = mesh_.triangle(t);
+      removed[t] = of_point_[a] != of_point_[b] || of_point_[b] != of_point_[c];
+    });
     return removed;
   }
 
   const TriangulatedPoints& cloud_;
   const Triangulation& mesh_;
   std::vector<Eigen::Vector3f> normals_;
-  std::vector<std::uint8_t> is_step_;      // of triangles
-  std::vector<std::uint32_t> surface_;     // of triangles; none on steps
-  std::vector<std::uint32_t> of_point_;    // surface of each point; none of those on steps only
+  std::vector<std::uint8_t> near_step_;    // of points: a corner of a triangle with a step
+  std::vector<std::size_t> sizes_;         // of surfaces, triangles
+  std::vector<std::uint32_t> of_point_;    // surface of each point
   std::vector<std::uint8_t> stands_alone_; // of surfaces
-  std::vector<std::uint32_t> stack_;
 };
 
 } // namespace

@@ -14,8 +14,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double no_change = 1e-7; // of an axis, radians: rounding
-
 struct BranchPath {
   std::vector<RotaryAngles> angles;
   std::size_t beyond = 0; ///< poses beyond the limits of the second axis
@@ -115,8 +113,6 @@ blend(const Kinematics& kinematics, double pivot, MachineLocations& path, PoleZo
       path[i].angles.first += to - leave;
 }
 
-/** Blends the axis where the first angle would turn too fast. An upright tool keeps its axis whatever that angle is: no zone is then
- *  added. */
 void
 blendPoles(const Kinematics& kinematics, const RotaryPathSettings& settings, RotaryPath& path)
 {
@@ -132,8 +128,7 @@ blendPoles(const Kinematics& kinematics, const RotaryPathSettings& settings, Rot
     zone.begin = locations[zone.first_pose].arc_length;
     zone.end = locations[zone.last_pose].arc_length;
     blend(kinematics, settings.pivot, locations, zone);
-    if (zone.largest_change > no_change)
-      path.poles.push_back(zone);
+    path.poles.push_back(zone);
   }
 }
 

@@ -82,7 +82,8 @@ thingsInTheWay(const pcl::PointCloud<ToolpathPoint>& path, double radius, const 
   for (std::size_t g = 0; g < groups.size(); ++g)
     if (groups[g].depth > allowed) {
       things.push_back(groups[g]);
-      if (covers(groups[g].box, path))
+      things.back().around = covers(groups[g].box, path);
+      if (things.back().around)
         things.back().box = cut[g];
       const Eigen::Vector3d aside(link / 3.0, link / 3.0, 0.0);
       things.back().box = Eigen::AlignedBox3d(things.back().box.min() - aside, things.back().box.max() + aside);

@@ -20,6 +20,7 @@ struct ThingInTheWay {
   double depth = 0.0;                              ///< of its deepest point, mm
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of that point
   Eigen::AlignedBox3d box; ///< of its points that are no lower than those that would be cut, a third of a link wider
+  bool around = false;     ///< it surrounds the path, or lies over it
 };
 
 /** The things among \p points that the ball or its shank cuts into by more than \p allowed, mm, on its moves along \p path, the deepest

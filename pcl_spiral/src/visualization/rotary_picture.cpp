@@ -19,6 +19,7 @@ constexpr double left = 150.0, right = Sheet::width - 60.0; ///< of the charts, 
 constexpr double lowest = 110.0, chart_height = 250.0, chart_step = 330.0;
 constexpr double number_room = 90.0, tick = axis_tick_length, line = 2.5;
 constexpr int number_size = 18, name_size = 20;
+constexpr double no_change = 1e-7; // of the axis, radians: at the pole an upright tool keeps it
 constexpr Color line_color{0.10, 0.22, 0.66}, pole_color{1.00, 0.80, 0.45}, unwind_color{0.84, 0.04, 0.07};
 
 /** A curve over the arc length; interrupted where a new pass begins. */
@@ -166,11 +167,11 @@ writeRotaryAngles(const std::string& file, const std::string& title, const Machi
   addCentredText(sheet.view(), "length of the path, mm", {0.5 * (left + right), 40.0}, name_size);
   const ProgramReport& report = program.report;
   std::string places;
-  if (!report.poles.empty())
-    places += formatted("; yellow: axis blended at the pole, by up to %.3g degrees",
-                        in_degrees * std::max_element(report.poles.begin(), report.poles.end(), [](const PoleZone& a, const PoleZone& b) {
-                                       return a.largest_change < b.largest_change;
-                                     })->largest_change);
+  double largest_change = 0.0;
+  for (const PoleZone& zone : report.poles)
+    largest_change = std::max(largest_change, zone.largest_change);
+  if (largest_change > no_change)
+    places += formatted("; yellow: axis blended at the pole, by up to %.3g degrees", largest_change * in_degrees);
   if (!report.unwound_at.empty())
     places += formatted("; red: unwinds, %.0f times", static_cast<double>(report.unwound_at.size()));
   if (program.machine.three_axes)

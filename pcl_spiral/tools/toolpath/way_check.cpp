@@ -48,6 +48,18 @@ standing(const Result& result, std::vector<Eigen::Vector3f> beside)
   return beside;
 }
 
+/** What may help where a polygon would cover too much. */
+std::string
+otherRemedies(const Job& job, const std::vector<ThingInTheWay>& things)
+{
+  std::string text;
+  if (std::any_of(things.begin(), things.end(), [](const ThingInTheWay& thing) { return thing.around; }))
+    text = ". What is all round the path is often the table: crop the scan inside the rim of the part (--crop)";
+  if (job.regions.several())
+    text += ". A keep-out holds for all regions: if another region stands there, give each region a run of its own";
+  return text;
+}
+
 /** Refuses what is in the way beside the part, and warns of single points there. */
 void
 checkBeside(const Job& job, double allowed, Result& result)
@@ -74,7 +86,8 @@ checkBeside(const Job& job, double allowed, Result& result)
   const auto isFree = [&](const pcl::PointCloud<ToolpathPoint>& path) { return inTheWay(path, beside).empty(); };
   throw FileError(job.scan, textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth,
                                    " mm into the scan at ", placeText(things.front().place), ", beside what is cut. ", thingsText(things),
-                                   ": keep out of each with a polygon that covers it (--keep-out)", lessTilt(job, result, isFree)));
+                                   ": keep out of each with a polygon that covers it (--keep-out)", lessTilt(job, result, isFree),
+                                   otherRemedies(job, things)));
 }
 
 } // namespace
