@@ -15,13 +15,14 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::uint32_t none = Triangulation::none;
-constexpr float long_edge = 1.8f;      // spacings
-constexpr int few = 12;                // neighbours, all on one side of a step that is three spacings high
-constexpr float steep = 0.5f;          // sine of the angle between an edge and the surface at both ends
-constexpr float perhaps_steep = 0.25f; // the same with normals that lean beside the step
-constexpr double large = 0.02;         // of all triangles
-constexpr double most_near = 0.1;      // of the points: with more of them, noise or loose points make the steps
-constexpr double mostly = 0.9;         // of the step edges at a surface: they lead up to one that stands on another
+constexpr float long_edge = 1.8f;       // spacings
+constexpr int few = 12;                 // neighbours, all on one side of a step that is three spacings high
+constexpr float steep = 0.5f;           // sine of the angle between an edge and the surface at both ends
+constexpr float perhaps_steep = 0.25f;  // the same with normals that lean beside the step
+constexpr double large = 0.02;          // of all triangles
+constexpr double most_near = 0.1;       // of the points: with more of them, noise or loose points make the steps
+constexpr std::size_t least_steps = 16; // up to a small surface, two per edge: fewer lead up from a single point below
+constexpr double mostly = 0.9;          // of the step edges at a surface: they lead up to one that stands on another
 
 /** The work of removeUnseenSteps. */
 class UnseenSteps {
@@ -201,7 +202,7 @@ private:
     stands_alone_.resize(sizes_.size());
     for (std::size_t s = 0; s < sizes_.size(); ++s)
       stands_alone_[s] = static_cast<double>(sizes_[s]) >= large * static_cast<double>(mesh_.triangleCount()) ||
-                         static_cast<double>(up[s]) > mostly * static_cast<double>(up[s] + down[s]);
+                         (up[s] >= least_steps && static_cast<double>(up[s]) > mostly * static_cast<double>(up[s] + down[s]));
   }
 
   /** Flags the triangles with corners on two surfaces. */

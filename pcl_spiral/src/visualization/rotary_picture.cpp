@@ -170,8 +170,10 @@ writeRotaryAngles(const std::string& file, const std::string& title, const Machi
   double largest_change = 0.0;
   for (const PoleZone& zone : report.poles)
     largest_change = std::max(largest_change, zone.largest_change);
+  if (!report.poles.empty())
+    places += "; yellow: axis blended at the pole";
   if (largest_change > no_change)
-    places += formatted("; yellow: axis blended at the pole, by up to %.3g degrees", largest_change * in_degrees);
+    places += formatted(", by up to %.3g degrees", largest_change * in_degrees);
   if (!report.unwound_at.empty())
     places += formatted("; red: unwinds, %.0f times", static_cast<double>(report.unwound_at.size()));
   if (program.machine.three_axes)

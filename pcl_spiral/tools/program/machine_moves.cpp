@@ -19,7 +19,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-constexpr double no_change = 1e-7; // of the axis, radians: at the pole an upright tool keeps it
+constexpr double least_named = 0.001; // degrees that an axis is blended by: at the pole an upright tool keeps it
 
 /** Adds the warnings about the program. */
 std::vector<std::string>
@@ -32,9 +32,10 @@ warningsOf(const MachineProgram& program)
     const auto less = [](const PoleZone& a, const PoleZone& b) { return a.largest_change < b.largest_change; };
     const PoleZone& most = *std::max_element(report.poles.begin(), report.poles.end(), less);
     const std::string where = report.poles.size() == 1 ? std::string("from ") : textOf("in ", report.poles.size(), " places, most from ");
-    if (most.largest_change > no_change)
-      warnings.push_back(textOf("near the pole, ", first, " would turn faster than its limit: the tool axis was blended ", where,
-                                most.begin, " to ", most.end, " mm of the path, by up to ", most.largest_change * in_degrees, " degrees"));
+    const double degrees = most.largest_change * in_degrees;
+    warnings.push_back(textOf("near the pole, ", first, " would turn faster than its limit: the tool axis was blended ", where, most.begin,
+                              " to ", most.end, " mm of the path, ",
+                              degrees < least_named ? textOf("by less than ", least_named) : textOf("by up to ", degrees), " degrees"));
   }
   if (const std::size_t by_axis = report.slowed_blocks - report.tool_slowed_blocks; by_axis > 0)
     warnings.push_back(textOf(by_axis, " of ", report.cut_blocks, by_axis == 1 ? " blocks runs below" : " blocks run below",
