@@ -19,6 +19,7 @@ constexpr float long_edge = 1.8f;       // spacings
 constexpr int few = 12;                 // neighbours, all on one side of a step that is three spacings high
 constexpr float steep = 0.5f;           // sine of the angle between an edge and the surface at both ends
 constexpr float perhaps_steep = 0.25f;  // the same with normals that lean beside the step
+constexpr std::size_t least_size = 8;   // triangles of a small surface: loose points, as of a tree, are none
 constexpr double large = 0.02;          // of all triangles
 constexpr double most_near = 0.1;       // of the points: with more of them, noise or loose points make the steps
 constexpr std::size_t least_steps = 16; // up to a small surface, two per edge: fewer lead up from a single point below
@@ -201,8 +202,9 @@ private:
     }
     stands_alone_.resize(sizes_.size());
     for (std::size_t s = 0; s < sizes_.size(); ++s)
-      stands_alone_[s] = static_cast<double>(sizes_[s]) >= large * static_cast<double>(mesh_.triangleCount()) ||
-                         (up[s] >= least_steps && static_cast<double>(up[s]) > mostly * static_cast<double>(up[s] + down[s]));
+      stands_alone_[s] =
+          static_cast<double>(sizes_[s]) >= large * static_cast<double>(mesh_.triangleCount()) ||
+          (sizes_[s] >= least_size && up[s] >= least_steps && static_cast<double>(up[s]) > mostly * static_cast<double>(up[s] + down[s]));
   }
 
   /** Flags the triangles with corners on two surfaces. */
