@@ -373,6 +373,33 @@ TEST_F(BesideClamps, WhatIsLeftAtTheRimJoinsNoTable)
   }
 }
 
+TEST_F(BesideClamps, TheLargestPartIsChosenBeforePlacesBesideAKeepOutAreDropped)
+{
+  const double table = onCap(rim, 0.0).z() - 15.0;
+  const AlignedBox2d clamp(Vector2d(23.0, -7.0), Vector2d(33.0, 7.0));
+  std::ostringstream others;
+  for (double x = clamp.min().x(); x <= clamp.max().x(); x += 0.8)
+    for (double y = -7.0; y <= 7.0; y += 0.8)
+      others << x << ' ' << y << " 2\n";
+  for (double x = 20.0; x <= 60.0; x += 0.8)
+    for (double y = -30.0; y <= 30.0; y += 0.8)
+      if (std::hypot(x, y) > rim)
+        others << x << ' ' << y << ' ' << table << '\n';
+  writeCap([&](const Vector2d& p) { return !clamp.contains(p); }, others.str());
+  writePolygon("clamp.txt", AlignedBox2d(clamp.min() - Vector2d::Constant(0.5), clamp.max() + Vector2d::Constant(0.5)));
+  const RunResult placed = run({"--keep-out", "clamp.txt"});
+  ASSERT_EQ(placed.code, 0) << placed.err;
+  const auto path = pcl_spiral::readToolpath(folder_.path("a.csv")).path;
+  const Arguments call{"scan.xyz", "-o", "b.csv", "--tool-radius", "4", "--scallop", "0.05", "--largest", "--keep-out", "clamp.txt"};
+  const RunResult largest = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, call, folder_), folder_);
+  ASSERT_EQ(largest.code, 0) << largest.err;
+  EXPECT_NE(largest.err.find("kept only the largest of"), std::string::npos) << largest.err;
+  const auto same = pcl_spiral::readToolpath(folder_.path("b.csv")).path;
+  ASSERT_EQ(same.size(), path.size());
+  for (std::size_t i = 0; i < path.size(); ++i)
+    ASSERT_EQ(same[i].getVector3fMap(), path[i].getVector3fMap()) << i;
+}
+
 TEST_F(BesideClamps, AllSmallPartsAreListedOrCounted)
 {
   std::vector<AlignedBox2d> clamps{{Vector2d(60.0, -40.0), Vector2d(130.0, 40.0)}}; // too large for a cluster

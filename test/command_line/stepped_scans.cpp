@@ -38,6 +38,14 @@ protected:
     writeText(folder_.path("scan.xyz"), text.str());
   }
 
+  void writeCircle(const std::string& name, double circle_radius)
+  {
+    std::ostringstream circle;
+    for (int k = 0; k < 60; ++k)
+      circle << circle_radius * std::cos(0.10472 * k) << ' ' << circle_radius * std::sin(0.10472 * k) << '\n';
+    writeText(folder_.path(name), circle.str());
+  }
+
   RunResult run(const Arguments& more)
   {
     Arguments arguments{"scan.xyz", "-o", "a.csv", "--tool-radius", std::to_string(radius_), "--scallop", "0.1"};
@@ -80,6 +88,45 @@ TEST_F(SteppedScans, TheLevelsOfABlockAreCutInRunsOfTheirOwn)
   EXPECT_GT(least(outside), radius_ - 0.03);
 }
 
+TEST_F(SteppedScans, APartThatIsSteepAtItsRimIsCutApartFromTheTable)
+{
+  constexpr double rim = 15.1;
+  for (const double slope : {30.0, 45.0, 60.0, 70.0})
+    for (const double step : {3.0, 5.0}) {
+      SCOPED_TRACE(testing::Message() << slope << " degrees, step " << step);
+      if (slope > 65.0 && step < 4.0)
+        continue; // not seen
+      const double sphere = rim / std::sin(slope * M_PI / 180.0), table = std::sqrt(sphere * sphere - rim * rim) - step;
+      write([&](double x, double y) {
+        const double r = std::hypot(x, y);
+        return r < rim ? std::sqrt(sphere * sphere - r * r) : table;
+      });
+      const RunResult made = run({"--part-at", "0,0," + std::to_string(sphere)});
+      ASSERT_EQ(made.code, 0) << made.err;
+      EXPECT_NE(made.err.find("separate parts"), std::string::npos) << made.err;
+      EXPECT_GT(least([sphere](const Vector3d& c) { return c.norm() - sphere; }), radius_ - 0.03);
+    }
+}
+
+TEST_F(SteppedScans, APartWhoseRimRunsIntoItsSideIsCutWhenCropped)
+{
+  constexpr double rim = 15.1, slope = 82.0;
+  const double sphere = rim / std::sin(slope * M_PI / 180.0), table = std::sqrt(sphere * sphere - rim * rim) - 5.0;
+  write([&](double x, double y) {
+    const double r = std::hypot(x, y);
+    return r < rim ? std::sqrt(sphere * sphere - r * r) : table;
+  });
+  const RunResult refused = run({"--part-at", "0,0," + std::to_string(sphere)});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_NE(refused.err.find("if the scan holds more than the part, such as the table below it, crop it to the part (--crop)"),
+            std::string::npos)
+      << refused.err;
+  writeCircle("crop.txt", rim - 0.5);
+  const RunResult made = run({"--crop", "crop.txt"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_GT(least([sphere](const Vector3d& c) { return c.norm() - sphere; }), radius_ - 0.03);
+}
+
 TEST_F(SteppedScans, ATableAllRoundTheRimIsLeftOutByACropInsideIt)
 {
   constexpr double sphere = 40.0, rim = 20.1, step = 2.4; // 30 degrees steep at the rim
@@ -92,10 +139,7 @@ TEST_F(SteppedScans, ATableAllRoundTheRimIsLeftOutByACropInsideIt)
   const RunResult refused = run({"--part-at", "0,0,40"});
   EXPECT_EQ(refused.code, 1);
   EXPECT_NE(refused.err.find("crop the scan inside the rim of the part (--crop)"), std::string::npos) << refused.err;
-  std::ostringstream circle;
-  for (int k = 0; k < 60; ++k)
-    circle << 17.0 * std::cos(0.10472 * k) << ' ' << 17.0 * std::sin(0.10472 * k) << '\n';
-  writeText(folder_.path("crop.txt"), circle.str());
+  writeCircle("crop.txt", 17.0);
   const RunResult made = run({"--crop", "crop.txt"});
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_GT(least([table](const Vector3d& c) { return std::min(c.norm() - sphere, c.z() - table); }), radius_ - 0.03);

@@ -176,3 +176,28 @@ TEST(HopelessScans, NoiseOfAnotherPartIsNotThatOfThePart)
     EXPECT_TRUE(scanned.getStatus().ok()) << scanned.getStatus().message();
   }
 }
+
+TEST(HopelessScans, TightBendsAreShownByADenserScan)
+{
+  const auto status = [](double step) { // waves with a period of 12 mm, 60 degrees steep: radius 1.1 mm at their crests
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> jitter(-0.3, 0.3);
+    const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+    const int half = static_cast<int>(12.0 / step);
+    for (int i = -half; i < half; ++i)
+      for (int k = -half; k < half; ++k) {
+        const double x = step * (i + jitter(random)), y = step * (k + jitter(random)), wave = 2.0 * M_PI / 12.0;
+        cloud->push_back(
+            {static_cast<float>(x), static_cast<float>(y), static_cast<float>(std::tan(M_PI / 3.0) / wave * std::sin(wave * x))});
+      }
+    ScannedSurface<pcl::PointXYZ> scanned;
+    scanned.setInputCloud(cloud);
+    Surface::ConstPtr surface;
+    scanned.compute(surface);
+    return scanned.getStatus();
+  };
+  const Status sparse = status(0.8);
+  ASSERT_FALSE(sparse.ok());
+  EXPECT_NE(sparse.message().find("for tight bends, scan more densely"), std::string::npos) << sparse.message();
+  EXPECT_TRUE(status(0.4).ok()) << status(0.4).message();
+}

@@ -77,6 +77,27 @@ TEST(MissedPoints, TheEdgeOfALowStepIsNamed)
   }
 }
 
+TEST(MissedPoints, SinglePointsThatAreLeftOutCountUnlessTheyAreHigh)
+{
+  std::vector<Vector3d> points = plateau(0.0, 0.8, 0.01);
+  for (int k = 0; k < 5; ++k)
+    points.emplace_back(-12.0 + 6.0 * k, 0.1, 0.3 + 0.05 * k);
+  points.emplace_back(0.0, 9.0, 5.0); // a false echo
+  points.emplace_back(0.0, -9.0, -0.5);
+  const Made made = run(points);
+  ASSERT_TRUE(made.status.ok()) << made.status.message();
+  EXPECT_NE(made.warnings.find("7 isolated"), std::string::npos) << made.warnings;
+  double height = 0.0, x = 0.0, y = 0.0, z = 0.0;
+  const std::size_t begin = made.warnings.find("5 points of the scan stand up to ");
+  ASSERT_NE(begin, std::string::npos) << made.warnings;
+  ASSERT_EQ(std::sscanf(made.warnings.c_str() + begin,
+                        "5 points of the scan stand up to %lf mm over the fitted surface, the most at (%lf, %lf, %lf)", &height, &x, &y,
+                        &z),
+            4);
+  EXPECT_NEAR(height, 0.5, 0.03);
+  EXPECT_NEAR((Vector3d(x, y, z) - Vector3d(12.0, 0.1, 0.5)).norm(), 0.0, 0.01);
+}
+
 TEST(MissedPoints, ADenserScanShowsThatStepAsTheEndOfAPart)
 {
   const Made made = run(plateau(1.6, 0.4, 0.01));

@@ -18,7 +18,10 @@ constexpr std::uint32_t none = Triangulation::none;
 constexpr float long_edge = 1.8f;       // spacings
 constexpr int few = 12;                 // neighbours, all on one side of a step that is three spacings high
 constexpr float steep = 0.5f;           // sine of the angle between an edge and the surface at both ends
-constexpr float perhaps_steep = 0.25f;  // the same with normals that lean beside the step
+constexpr float longer_edge = 2.1f;     // spacings: of an edge that is steep at one end, where the other is a steep rim
+constexpr float steeper = 0.6f;         // such a sine at the one end
+constexpr float slanted = 0.15f;        // and at the other
+constexpr float leaning = 0.5f;         // of these sines, with normals that lean beside the step
 constexpr std::size_t least_size = 8;   // triangles of a small surface: loose points, as of a tree, are none
 constexpr double large = 0.02;          // of all triangles
 constexpr double most_near = 0.1;       // of the points: with more of them, noise or loose points make the steps
@@ -49,19 +52,24 @@ public:
   }
 
 private:
-  /** How much half-edge \p h rises over a surface with \p normals, -1 to 1, if it is long and steeper than \p least at both ends;
-   *  else 0. */
-  float rise(std::uint32_t h, const std::vector<Eigen::Vector3f>& normals, float least) const
+  /** How much half-edge \p h rises over a surface with \p normals, -1 to 1, if it is long and, with \p share of the sines, steep at both
+   *  ends; else 0. */
+  float rise(std::uint32_t h, const std::vector<Eigen::Vector3f>& normals, float share) const
   {
     const std::uint32_t a = mesh_.origin(h), b = mesh_.target(h);
     const Eigen::Vector3f edge = cloud_.blocks.point(b) - cloud_.blocks.point(a);
-    const float squared = edge.squaredNorm(), enough = long_edge * cloud_.spacings_per_radius * std::max(cloud_.radii[a], cloud_.radii[b]);
-    if (squared <= enough * enough)
+    const float squared = edge.squaredNorm(), spacing = cloud_.spacings_per_radius * std::max(cloud_.radii[a], cloud_.radii[b]);
+    if (squared <= long_edge * long_edge * spacing * spacing)
       return 0.0f;
     const float length = std::sqrt(squared), at_a = edge.dot(normals[a]) / length, at_b = edge.dot(normals[b]) / length;
-    return at_a * at_b > 0.0f && std::min(std::abs(at_a), std::abs(at_b)) > least ? at_a : 0.0f;
+    if (!(at_a * at_b > 0.0f))
+      return 0.0f; // a bend, no step
+    const auto [less, more] = std::minmax({std::abs(at_a), std::abs(at_b)});
+    const bool is_steep = less > share * steep,
+               leads_to_steep_rim = length > longer_edge * spacing && less > share * slanted && more > share * steeper;
+    return is_steep || leads_to_steep_rim ? at_a : 0.0f;
   }
-  float rise(std::uint32_t h) const { return rise(h, normals_, steep); }
+  float rise(std::uint32_t h) const { return rise(h, normals_, 1.0f); }
 
   /** Calls \p visit for the half-edges of the triangles about point \p v that begin or end there, until it returns true. Returns whether it
    *  did. */
@@ -79,9 +87,8 @@ private:
   bool findNormals()
   {
     std::vector<std::uint8_t> is_end(cloud_.normals.size(), 0);
-    forPoints(is_end.size(), [&](std::uint32_t v) {
-      is_end[v] = anyAbout(v, [&](std::uint32_t h) { return rise(h, cloud_.normals, perhaps_steep) != 0.0f; });
-    });
+    forPoints(is_end.size(),
+              [&](std::uint32_t v) { is_end[v] = anyAbout(v, [&](std::uint32_t h) { return rise(h, cloud_.normals, leaning) != 0.0f; }); });
     if (std::find(is_end.begin(), is_end.end(), 1) == is_end.end())
       return false;
     normals_ = cloud_.normals;

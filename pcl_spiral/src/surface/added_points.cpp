@@ -20,6 +20,7 @@ addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges
   parts.side = surface->side();
   parts.warnings = surface->warnings();
   parts.clusters = surface->clusters();
+  parts.isolated = surface->isolatedPoints();
   SurfaceGraphOptions options = graphOptions(parts.settings);
   options.flip_normals = false; // the outer side is that of the surface given
   options.given_normals = surface->graph().normals();

@@ -72,16 +72,34 @@ BallReach::findMissed(const SurfaceGraph& graph, const std::vector<float>& heigh
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   const double deviation = deviation_of_median * static_cast<double>(*middle);
-  const double least = std::max(missed_spacings * graph.spacing(), missed_deviations * deviation);
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (!(heights[i] > least))
-      continue;
-    ++missed_.count;
-    if (heights[i] > missed_.height) {
-      missed_.height = heights[i];
-      missed_.place = graph.position(i);
-    }
+  missed_.least = std::max(missed_spacings * graph.spacing(), missed_deviations * deviation);
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    countIfMissed(heights[i], graph.position(i));
+}
+
+void
+BallReach::countIfMissed(double height, const Eigen::Vector3d& place)
+{
+  if (!(height > missed_.least))
+    return;
+  ++missed_.count;
+  if (height > missed_.height) {
+    missed_.height = height;
+    missed_.place = place;
   }
+}
+
+void
+BallReach::addMissed(const MlsSurface& fit, const std::vector<Eigen::Vector3f>& outliers, double most)
+{
+  std::vector<Eigen::Vector3d> queries;
+  for (const Eigen::Vector3f& outlier : outliers)
+    queries.push_back(outlier.cast<double>());
+  std::vector<SurfaceFoot> feet;
+  fit.project(queries, feet);
+  for (std::size_t i = 0; i < feet.size(); ++i)
+    if (const double height = feet[i].normal.dot(queries[i] - feet[i].position); feet[i].valid && height <= most)
+      countIfMissed(height, queries[i]);
 }
 
 void

@@ -47,8 +47,9 @@ sheetRefusal(double noise, double spacing, const std::vector<PointHeight>& heigh
                  placeText(lie.farthest.place), ", and their spacing is ", spacing, " mm. Half of the points lie within ", lie.half,
                  " mm of the surface, one in ten more than ", lie.tenth, " mm off it, ", std::round(100.0 * lie.above),
                  " % of these above it: this is not a single sheet (a thin double wall, noise above the point spacing, or trees or "
-                 "flying points over the surface); for a wall, keep only one side in the cloud; where trees or flying points are, crop "
-                 "the scan to the part (setCrop); for noise, ",
+                 "flying points over the surface), or it bends too tightly for its points (a radius under two spacings); for a wall, keep "
+                 "only one side in the cloud; where trees or flying points are, crop the scan to the part (setCrop); for tight bends, "
+                 "scan more densely; for noise, ",
                  smoothingRemedy(noise))};
 }
 

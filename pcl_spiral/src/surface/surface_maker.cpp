@@ -231,10 +231,25 @@ private:
     return Status::success();
   }
 
+  /** The single points left out, without those of clusters. */
+  std::vector<Eigen::Vector3f> isolatedPoints() const
+  {
+    std::vector<std::uint32_t> clustered;
+    for (const StandingCluster& cluster : parts_.clusters)
+      clustered.insert(clustered.end(), cluster.indices.begin(), cluster.indices.end());
+    std::sort(clustered.begin(), clustered.end());
+    std::vector<Eigen::Vector3f> points;
+    for (const std::uint32_t i : isolated_)
+      if (why_[i] == static_cast<std::int8_t>(LeftOut::Isolated) && !std::binary_search(clustered.begin(), clustered.end(), i))
+        points.push_back(all_[i]);
+    return points;
+  }
+
   void finish()
   {
     SurfaceCounts& counts = parts_.counts;
     counts.used = parts_.graph.size();
+    parts_.isolated = isolatedPoints();
     parts_.settings = settings_;
     parts_.side = parts_.graph.side();
     for (std::string& warning : countWarnings(counts, parts_.graph.spacing()))

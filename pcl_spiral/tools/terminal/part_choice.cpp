@@ -75,6 +75,7 @@ surfaceOf(const std::string& file, const PartSide& side, const Scan& scan, const
   scanned.setInputCloud(scan.cloud);
   if (part_at)
     scanned.setPartAt(*part_at);
+  scanned.setLargestPart(side.largest_part);
   ScanSide own = side.side;
   own.normals = own.normals ? scan.normals : nullptr;
   setSide(own, scanned);

@@ -67,11 +67,12 @@ struct PartTool {
   double lean = 0.0;   ///< of its axis from the normal, degrees
 };
 
-/** How the side of a scan is found, to know where the ball stands. */
+/** How the part of a scan and its side are found, to know where the ball stands. */
 struct PartSide {
   const ScanSide& side;
   bool flip_normals = false;
   unsigned int threads = 0;
+  bool largest_part = false; ///< of several parts without a place the largest is cut
 };
 
 /** Removes from \p scan, which was read from \p file, the points outside the crop and those that \p tool cannot touch without entering

@@ -88,7 +88,7 @@ void
 choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageClock& clock, Result& result)
 {
   result.part = choosePart(job.part, job.scan, job.read, {job.settings.tool_radius, leanOf(job.settings)},
-                           {result.side, job.settings.flip_normals, job.settings.threads}, result.scan, strips);
+                           {result.side, job.settings.flip_normals, job.settings.threads, job.settings.largest_part}, result.scan, strips);
   if (strips.width > 0.0 && result.part.strips.empty())
     throw NoPath(job.scan, "no strip beside a keep-out is that narrow", false); // soon: the points are those that were refused
   if (job.part.cuts())

@@ -107,6 +107,7 @@ public:
     std::size_t input_size = 0;            ///< number of points in the cloud
     OuterSide side;                        ///< see side()
     std::vector<StandingCluster> clusters; ///< see clusters()
+    std::vector<Eigen::Vector3f> isolated; ///< see isolatedPoints()
     std::vector<std::string> warnings;     ///< see warnings()
   };
   explicit Surface(Parts parts);    ///< Takes the parts and fits the surface to them.
@@ -151,6 +152,8 @@ public:
   const std::vector<StandingCluster>& clusters() const { return parts_.clusters; }
   /** Points of the clusters that a ball must clear: all with ClusterHandling::Ride, else none. */
   std::vector<Eigen::Vector3f> riddenPoints() const;
+  /** Single points off the surface that were left out, in no cluster: false echoes, or the edge of a step too low for the scan. */
+  const std::vector<Eigen::Vector3f>& isolatedPoints() const { return parts_.isolated; }
   /** Which points were left out and whether the side is guessed, as text: first which of several parts was kept, if one was. */
   const std::vector<std::string>& warnings() const { return parts_.warnings; }
 

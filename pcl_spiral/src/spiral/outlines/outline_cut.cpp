@@ -146,10 +146,12 @@ dropHandle(const StepOverMesh& mesh, const Triangulation& rest, double spacing, 
   for (const std::uint32_t v : way)
     points.push_back(mesh.positions[v]);
   if (way.empty() || length(points, true) > longest_noise_handle * spacing)
-    return {StatusCode::Failed, textOf("the surface has a handle at ", placeText(points.empty() ? mesh.positions.front() : points.front()),
-                                       ", ", points.empty() ? 0.0 : length(points, true),
-                                       " mm round: a path at constant scallop needs a sheet with only a rim and holes; ",
-                                       keepOutText(points, spacing), "cut the part into pieces")};
+    return {StatusCode::Failed,
+            textOf("the surface has a handle at ", placeText(points.empty() ? mesh.positions.front() : points.front()), ", ",
+                   points.empty() ? 0.0 : length(points, true),
+                   " mm round: a path at constant scallop needs a sheet with only a rim and holes; ", keepOutText(points, spacing),
+                   "if the scan holds more than the part, such as the table below it, crop it to the part (setCrop), "
+                   "or cut the part into pieces")};
   for (const std::uint32_t v : way)
     dead[v] = 1;
   dropped = true;

@@ -196,10 +196,10 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     return {StatusCode::Failed,
             textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
                    settings.method == SpiralMethod::ConstantScallop
-                       ? std::string(": choose the other sense (setSense), ") +
+                       ? std::string(": if the scan holds more than the part, such as the table below it, crop it to the part "
+                                     "(setCrop); else choose the other sense (setSense), ") +
                              (settings.one_way ? "" : "passes with lifts between them (setOneWay), ") +
-                             "another scallop height or the radial method (setMethod); if the scan holds more than the part, such as the "
-                             "table below it, crop it to the part (setCrop)"
+                             "another scallop height or the radial method (setMethod)"
                        : ": the radial lines there are not in order; " + constantScallopRemedy(settings))};
   measureTurns(path, settings, figures);
   return checkReversals(figures.reversals, settings);

@@ -145,9 +145,11 @@ makeReach(const Surface& surface, const SpiralSettings& settings)
 {
   if (settings.tight == TightHandling::Refuse)
     return nullptr;
-  return std::make_unique<BallReach>(surface.graph(), surface.fit(), settings.tool_radius,
-                                     reachTolerance(surface.fit(), noise_share * settings.chord_error),
-                                     BallObstacles{surface.riddenPoints(), moves_share * settings.chord_error});
+  auto reach = std::make_unique<BallReach>(surface.graph(), surface.fit(), settings.tool_radius,
+                                           reachTolerance(surface.fit(), noise_share * settings.chord_error),
+                                           BallObstacles{surface.riddenPoints(), moves_share * settings.chord_error});
+  reach->addMissed(surface.fit(), surface.isolatedPoints(), surface.spacing());
+  return reach;
 }
 
 Status

@@ -25,6 +25,7 @@ struct UnreachedPoint {
 
 /** Points of a scan that stand out of the fitted surface by far more than the noise: an edge, a ridge or a step with too few points. */
 struct MissedPoints {
+  double least = 0.0; ///< height from which a point counts, mm
   std::size_t count = 0;
   double height = 0.0;                             ///< of the highest, mm
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of that point
@@ -57,6 +58,8 @@ public:
   const std::vector<UnreachedPoint>& unreached() const { return unreached_; }
   /** Points that the fit cuts off. */
   const MissedPoints& missed() const { return missed_; }
+  /** Adds to missed() those of \p outliers, left out of the fit, that stand at most \p most, mm, out of it: higher ones are no edge. */
+  void addMissed(const MlsSurface& fit, const std::vector<Eigen::Vector3f>& outliers, double most);
   /** Foot and normal of point \p i of the graph. */
   Eigen::Vector3d position(std::size_t i) const { return feet_.position(place_[i]); }
   Eigen::Vector3d normal(std::size_t i) const { return patches_[place_[i]].normal.cast<double>(); }
@@ -94,6 +97,7 @@ private:
 
   void fitPatches(const SurfaceGraph& graph, const MlsSurface& fit);
   void findMissed(const SurfaceGraph& graph, const std::vector<float>& heights);
+  void countIfMissed(double height, const Eigen::Vector3d& place);
   void findUnreached(const SurfaceGraph& graph);
   void averageNormals();
   Eigen::Vector3d nearestOn(std::size_t place, const Eigen::Vector3d& from) const;
