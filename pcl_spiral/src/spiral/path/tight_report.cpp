@@ -108,7 +108,9 @@ std::string
 clusterWarning(const std::vector<TightPlace>& places)
 {
   return "the ball rides over clusters of points at " + stockText(places) +
-         ", nor within a step-over of them (setClusterHandling with Ride)";
+         ", nor within a step-over of them (setClusterHandling with Ride); it clears the points, not edges that may lie between or just "
+         "beyond "
+         "them";
 }
 
 /** Counts the places where the lifted ball turns back, and warns of them. */
