@@ -20,6 +20,7 @@ constexpr double least_reached = 0.5; // of the points
 constexpr double well_reached = 0.9;  // of the points
 constexpr double surely = 0.95;       // of the largest radius there
 constexpr double moves_share = 2.0;   // of the chord error: straight moves between places of the ball cut a corner over a point
+constexpr double edge_share = 0.5;    // of the spacing: the edge of a thing lies between its last points and those beside it
 
 /** Adds the places where more than the scallop height stays: of \p points, their indices \p of in reach.unreached() and \p heights. */
 void
@@ -108,9 +109,8 @@ std::string
 clusterWarning(const std::vector<TightPlace>& places)
 {
   return "the ball rides over clusters of points at " + stockText(places) +
-         ", nor within a step-over of them (setClusterHandling with Ride); it clears the points, not edges that may lie between or just "
-         "beyond "
-         "them";
+         ", nor within a step-over of them (setClusterHandling with Ride); it stays half a point spacing away from the points: edges "
+         "farther beyond them are not known";
 }
 
 /** Counts the places where the lifted ball turns back, and warns of them. */
@@ -147,9 +147,9 @@ makeReach(const Surface& surface, const SpiralSettings& settings)
 {
   if (settings.tight == TightHandling::Refuse)
     return nullptr;
-  auto reach = std::make_unique<BallReach>(surface.graph(), surface.fit(), settings.tool_radius,
-                                           reachTolerance(surface.fit(), noise_share * settings.chord_error),
-                                           BallObstacles{surface.riddenPoints(), moves_share * settings.chord_error});
+  auto reach = std::make_unique<BallReach>(
+      surface.graph(), surface.fit(), settings.tool_radius, reachTolerance(surface.fit(), noise_share * settings.chord_error),
+      BallObstacles{surface.riddenPoints(), moves_share * settings.chord_error + edge_share * surface.spacing()});
   reach->addMissed(surface.fit(), surface.isolatedPoints(), surface.spacing());
   return reach;
 }
