@@ -107,7 +107,7 @@ TEST_F(Clusters, TheRefusalNamesTheThingAndItsRemediesWork)
   for (const char* words :
        {"9 points at (", " mm high, from (", "ride over it (--clusters ride)", "(--clusters leave-out)", "(--keep-out)"})
     EXPECT_TRUE(has(refused.err, words)) << words << ": " << refused.err;
-  const RunResult ridden = plan({"--clusters", "ride", "--tilt", "25", "--verify", "--max-gouge", "0.02"});
+  const RunResult ridden = plan({"--clusters", "ride", "--tilt", "-25", "--verify", "--max-gouge", "0.02"});
   ASSERT_EQ(ridden.code, 0) << ridden.err;
   EXPECT_LE(deepest(), 1e-4);
   EXPECT_LE(deepestInShank(), 1e-3);
