@@ -62,6 +62,15 @@ protected:
     return least;
   }
 
+  /** The largest distance of a contact from the axis. */
+  double widest() const
+  {
+    double widest = 0.0;
+    for (const auto& p : pcl_spiral::readToolpath(folder_.path("a.csv")).path)
+      widest = std::max<double>(widest, std::hypot(p.x, p.y));
+    return widest;
+  }
+
   double radius_ = 4.0; ///< of the ball
   ScratchFolder folder_;
 };
@@ -104,8 +113,35 @@ TEST_F(SteppedScans, APartThatIsSteepAtItsRimIsCutApartFromTheTable)
       const RunResult made = run({"--part-at", "0,0," + std::to_string(sphere)});
       ASSERT_EQ(made.code, 0) << made.err;
       EXPECT_NE(made.err.find("separate parts"), std::string::npos) << made.err;
-      EXPECT_GT(least([sphere](const Vector3d& c) { return c.norm() - sphere; }), radius_ - 0.03);
+      EXPECT_GT(least([&](const Vector3d& c) { return std::min(c.norm() - sphere, c.z() - table); }), radius_ - 0.03);
+      EXPECT_NEAR(widest(), rim, 0.5);
     }
+}
+
+TEST_F(SteppedScans, AKeepOutElsewhereChangesNoPathOverALowPart)
+{
+  constexpr double sphere = 30.0, rim = 15.1; // 30 degrees steep at the rim
+  writeText(folder_.path("far.txt"), "60 60\n70 60\n70 70\n60 70\n");
+  for (const double step : {2.2, 2.5, 3.0}) {
+    SCOPED_TRACE(step);
+    const double table = std::sqrt(sphere * sphere - rim * rim) - step;
+    write([&](double x, double y) {
+      const double r = std::hypot(x, y);
+      return r < rim ? std::sqrt(sphere * sphere - r * r) : table;
+    });
+    const Arguments part{"--part-at", "0,0,30"};
+    ASSERT_EQ(run(part).code, 0);
+    const auto alone = pcl_spiral::readToolpath(folder_.path("a.csv")).path;
+    const RunResult made = run({"--part-at", "0,0,30", "--keep-out", "far.txt"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_GT(least([&](const Vector3d& c) { return std::min(c.norm() - sphere, c.z() - table); }), radius_ - 0.03);
+    EXPECT_NEAR(static_cast<double>(pcl_spiral::readToolpath(folder_.path("a.csv")).path.size()), static_cast<double>(alone.size()),
+                0.05 * static_cast<double>(alone.size()));
+    const Arguments call{"scan.xyz", "a.csv",      "--tool-radius", "4",           "--scallop", "0.1",         "--part-at",
+                         "0,0,30",   "--keep-out", "far.txt",       "--max-gouge", "0.03",      "--max-uncut", "0.02"};
+    const RunResult judged = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, call, folder_), folder_);
+    EXPECT_EQ(judged.code, 0) << judged.out << judged.err;
+  }
 }
 
 TEST_F(SteppedScans, APartWhoseRimRunsIntoItsSideIsCutWhenCropped)
@@ -127,6 +163,7 @@ TEST_F(SteppedScans, APartWhoseRimRunsIntoItsSideIsCutWhenCropped)
       const RunResult made = run({"--crop", "crop.txt"});
       ASSERT_EQ(made.code, 0) << made.err;
       EXPECT_GT(least([sphere](const Vector3d& c) { return c.norm() - sphere; }), radius_ - 0.03);
+      EXPECT_NEAR(widest(), rim - 0.8, 0.5);
     }
   EXPECT_GT(named, 1);
 }

@@ -21,7 +21,7 @@ constexpr float steep = 0.5f;           // sine of the angle between an edge and
 constexpr float longer_edge = 2.1f;     // spacings: of an edge that is steep at one end, where the other is a steep rim
 constexpr float steeper = 0.6f;         // such a sine at the one end
 constexpr float slanted = 0.15f;        // and at the other
-constexpr float leaning = 0.5f;         // of these sines, with normals that lean beside the step
+constexpr float leaning = 0.5f;         // share of these sines that is asked for while normals still lean beside the step
 constexpr std::size_t least_size = 8;   // triangles of a small surface: loose points, as of a tree, are none
 constexpr double large = 0.02;          // of all triangles
 constexpr double most_near = 0.1;       // of the points: with more of them, noise or loose points make the steps
@@ -52,8 +52,8 @@ public:
   }
 
 private:
-  /** How much half-edge \p h rises over a surface with \p normals, -1 to 1, if it is long and, with \p share of the sines, steep at both
-   *  ends; else 0. */
+  /** How much half-edge \p h rises over a surface with \p normals, -1 to 1, if it is long and steep at both ends, or longer and steeper
+   *  at one of them, and slanted at the other, with \p share of the sines asked for; else 0. */
   float rise(std::uint32_t h, const std::vector<Eigen::Vector3f>& normals, float share) const
   {
     const std::uint32_t a = mesh_.origin(h), b = mesh_.target(h);

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <utility>
 
 using namespace pcl_spiral;
 
@@ -168,6 +169,25 @@ without(const pcl::Indices& some, const pcl::Indices& all)
   return rest;
 }
 
+/** Those of the \p isolated points of \p cloud that lie nearer to the points \p others than to \p surface, ascending: points of the table
+ *  beside a low part are such. */
+pcl::Indices
+nearerTo(const pcl::Indices& others, const pcl::Indices& isolated, const Surface& surface, const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  if (others.empty())
+    return {};
+  std::vector<Eigen::Vector3f> points;
+  for (const pcl::index_t i : others)
+    points.push_back(cloud[i].getVector3fMap());
+  const PointBlocks blocks(std::move(points)), &own = surface.graph().blocks();
+  pcl::Indices nearer;
+  std::copy_if(isolated.begin(), isolated.end(), std::back_inserter(nearer), [&](pcl::index_t i) {
+    const Eigen::Vector3d p = cloud[i].getVector3fMap().cast<double>();
+    return (blocks.position(blocks.nearest(p)) - p).norm() < (own.position(own.nearest(p)) - p).norm();
+  });
+  return nearer;
+}
+
 /** Keeps the points at which \p tool stays out of the keep-outs, without the \p strips; adds the others to \p figures. Of several parts
  *  only the one that was chosen is kept: few points left of it between keep-outs would have their neighbours on another one. */
 void
@@ -182,8 +202,9 @@ keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const St
   region.setShank(shank_radii * tool.radius, tool.lean);
   region.setObstacles(from.part.kept_out);
   region.setMargin(surface->spacing() + from.choice.margin); // the outline may lie up to a spacing beyond the last points
-  const pcl::Indices others = leftOutFor(LeftOut::OtherPart, *surface);
-  pcl::Indices kept = without(others, selectedBy(region, from));
+  const pcl::Indices others = leftOutFor(LeftOut::OtherPart, *surface), isolated = leftOutFor(LeftOut::Isolated, *surface);
+  const pcl::Indices beside = nearerTo(others, isolated, *surface, *from.scan.cloud);
+  pcl::Indices kept = without(beside, without(others, selectedBy(region, from)));
   figures.too_close = region.getFigures().too_close;
   if (!others.empty())
     from.scan.warnings.push_back(inOptions(surface->warnings().front()));
@@ -195,7 +216,7 @@ keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const St
     kept = without(narrow[i].indices, kept);
     from.part.strips.push_back(narrow[i]);
   }
-  const pcl::Indices echoes = leftOutFor(LeftOut::Isolated, *surface);
+  const pcl::Indices echoes = without(beside, isolated);
   const auto gone =
       std::count_if(echoes.begin(), echoes.end(), [&kept](pcl::index_t i) { return !std::binary_search(kept.begin(), kept.end(), i); });
   figures.too_close -= static_cast<std::size_t>(gone);

@@ -101,7 +101,8 @@ missedWarning(const MissedPoints& missed)
   return textOf(
       missed.count, missed.count == 1 ? " point of the scan stands" : " points of the scan stand", " up to ", missed.height,
       " mm over the fitted surface, the most at ", placeText(missed.place),
-      ": an edge or a step there has too few points, and the path cuts into it, deeper between the points; scan more densely there, "
+      ": unless these are false echoes, an edge or a step there has too few points, and the path cuts into it, deeper between the points; "
+      "scan more densely there, "
       "keep out of it (addKeepOut), or, if it is the side of a part that lies on a table, crop the scan to the part (setCrop)");
 }
 
