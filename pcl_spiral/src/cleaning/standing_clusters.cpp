@@ -329,7 +329,8 @@ refusalOf(const std::vector<StandingCluster>& clusters, double spacing)
              "; a path would go through what is there: take it off and scan again, keep the cutter out of there (addKeepOut), ride over "
              "it (setClusterHandling with Ride)",
              hide ? " with a ball of at least twice its height as radius" : "",
-             ", or leave the points out if they are false echoes (setClusterHandling)")};
+             ", or leave the points out if they are false echoes (setClusterHandling)",
+             hide ? "; if they stand on a table or on another part, give a place on the part to be machined (setPartAt)" : "")};
 }
 
 Status
