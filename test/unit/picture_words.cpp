@@ -73,6 +73,10 @@ judgedScene(const Kind& kind)
   const Vector3d behind = place(0.9 * radius, M_PI_2);
   scene.deviation_figures.p99 = scene.deviation_figures.rms = 0.5 * kind.unit;
   scene.deviation_figures.max = {3.21 * kind.unit, behind, 11000};
+  scene.deviation_figures.beyond_rim = 123456;
+  scene.deviation_figures.rim_max = {-43.21 * kind.unit, behind, 11001};
+  scene.deviation_figures.in_gaps = 480;
+  scene.deviation_figures.gap_max = {54.32 * kind.unit, behind, 11002};
   scene.deviation_figures.fit_noise = scene.removal_figures.fit_noise = 0.00123 * kind.unit;
   scene.removal_figures.limit = 1.36 * kind.unit;
   scene.removal_figures.reach = 98.7 * kind.unit;
@@ -240,4 +244,24 @@ TEST(PictureTitle, KeepsBothEndsOfALongName)
   ASSERT_NE(title, texts.end());
   EXPECT_NE(title->words.find("www..."), std::string::npos) << title->words;
   EXPECT_NE(title->words.find("_last.csv: stock left on the scan"), std::string::npos) << title->words;
+}
+
+TEST(DeviationLegend, SaysWhichPointsTheLargestIsOf)
+{
+  if (!displayProblem().empty())
+    GTEST_SKIP() << "no display here";
+  const ScratchFolder folder;
+  VerificationScene scene = judgedScene(short_words);
+  const auto drawn = [&folder](const VerificationScene& shown) {
+    std::string words;
+    for (const DrawnText& text : NotedTexts::during([&] { VerificationPictures(shown).writeDeviation(folder.path("a.png")); }))
+      words += text.words + "\n";
+    return words;
+  };
+  const std::string words = drawn(scene);
+  for (const char* part : {"largest of the judged points, +3.21000 mm", "beyond the rim: up to -43.2 mm, not judged",
+                           "over gaps: up to +54.3 mm, not judged"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << " in\n" << words;
+  scene.deviation_figures.rim_max.value = -3.2; // below the largest: no contradiction, no entry
+  EXPECT_EQ(drawn(scene).find("beyond the rim"), std::string::npos);
 }

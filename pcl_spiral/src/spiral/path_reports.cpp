@@ -15,7 +15,8 @@ constexpr double least_efficiency = 0.8; // below it there is a warning
 void
 reportSpacing(const PathFigures& path, SpiralReport& report)
 {
-  if (path.closest.distance > 0.0) {
+  const bool neighbours = path.closest.distance > 0.0 && path.closest.distance <= report.largest_step_over;
+  if (neighbours) {
     report.smallest_step_over = path.closest.distance;
     report.closest_place = path.closest.place;
   }
@@ -28,8 +29,8 @@ reportSpacing(const PathFigures& path, SpiralReport& report)
   report.efficiency = report.least_length / report.path_length;
   if (report.efficiency >= least_efficiency)
     return;
-  std::string warning = textOf("the path is ", 1.0 / report.efficiency, " times as long as the least at this scallop height");
-  if (path.closest.distance > 0.0)
+  std::string warning = textOf("the path is ", 1.0 / report.efficiency, " times as long as the least at this scallop height over the whole surface");
+  if (neighbours)
     warning += textOf("; turns are closest at ", placeText(path.closest.place), ": ", path.closest.distance, " mm apart, where up to ",
                       report.largest_step_over, " mm are allowed");
   if (report.method != SpiralMethod::ConstantScallop)

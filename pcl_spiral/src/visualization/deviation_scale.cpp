@@ -48,7 +48,8 @@ DeviationScale::legend(const VerificationScene& scene, bool hidden) const
 {
   const DeviationFigures& figures = scene.deviation_figures;
   std::vector<LegendEntry> legend{
-      {formatted("largest, %+.5f mm", figures.max.value) + (hidden ? ", hidden by the part" : ""), ink, Marker::Circle}};
+      {formatted("largest of the judged points, %+.5f mm", figures.max.value) + (hidden ? ", hidden by the part" : ""), ink,
+       Marker::Circle}};
   std::size_t above = 0, below = 0, unmeasured = 0;
   for (const float v : scene.deviation) {
     above += v > reach_;
@@ -61,7 +62,13 @@ DeviationScale::legend(const VerificationScene& scene, bool hidden) const
   };
   add(above, formatted("above %+.3g mm", reach_), above_color);
   add(below, formatted("below %+.3g mm", -reach_), below_color);
-  add(unmeasured, "no surface there", unmeasured_color);
+  add(unmeasured, "not judged", unmeasured_color);
+  const auto addBeyond = [&](std::size_t count, const char* where, double value) {
+    if (count > 0 && std::abs(value) > std::abs(figures.max.value))
+      legend.push_back({where + formatted(": up to %+.3g mm, not judged", value), ink});
+  };
+  addBeyond(figures.beyond_rim, "beyond the rim", figures.rim_max.value);
+  addBeyond(figures.in_gaps, "over gaps", figures.gap_max.value);
   return legend;
 }
 

@@ -50,7 +50,7 @@ constexpr Line lines[] = {
     {"gouge", "{material/gouge}{@material/gouge}", "none"},
     {"  beyond the rim", " {material/rim_gouge}{@material/rim_gouge}"},
     {"uncut", "{material/uncut} of the points{@material/uncut}"},
-    {"efficiency", "{material/efficiency}: least length {material/least_length} of {material/path_length}"},
+    {"efficiency", "{material/efficiency}: least length for what is cut to the scallop height {material/least_length}, of {material/path_length}"},
     {"lifts", "{motion/lifts} between passes, {motion/lift_length}, no cuts"},
     {"largest step", "{motion/largest_gap}{@motion/largest_gap}"},
     {"largest turn", "{motion/largest_turn} a step{@motion/largest_turn}"},

@@ -128,7 +128,7 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
                 "at most %.3g degrees\n",
                 job.settings.axis_deviation, report.deviating_points, plural(report.deviating_points), report.largest_axis_deviation);
   std::printf("path length     %.3f m", report.path_length / 1000.0);
-  if (report.least_length > 0.0)
+  if (report.least_length > 0.0 && !job.verify)
     std::printf(", %.3f times the least possible length", report.path_length / report.least_length);
   std::printf("\n");
   if (!report.closest_place.isZero())

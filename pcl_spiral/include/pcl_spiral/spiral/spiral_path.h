@@ -90,6 +90,7 @@ struct AxisFigures {
 struct PathReversals {
   std::size_t count = 0;                           ///< of such places
   std::size_t at_corners = 0;                      ///< of them, at corners of the outline that are as sharp
+  std::size_t lifted = 0;                          ///< of them, where the ball is lifted off the surface; see ballReversals
   double angle = 0.0;                              ///< degrees, the largest; if there are any, of those away from corners
   double turn = 0.0;                               ///< in which the largest is
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of the largest

@@ -74,7 +74,7 @@ struct SpiralReport {
   double turn_radius = 0.0; ///< of the sharpest turns, in step-overs: all but 0.1 % of the path have a larger radius
   Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< the place of the sharpest turn
   double least_length = 0.0;                                ///< of any path at this scallop height
-  double efficiency = 0.0;                                  ///< least_length / path_length
+  double efficiency = 0.0;                                  ///< least_length / path_length, of the whole surface
   std::size_t turns = 0;                                    ///< of the path, including those along the rim and the inner loop
   std::size_t path_points = 0;                              ///< of the path
   double path_length = 0.0;                                 ///< cut; lifts do not count

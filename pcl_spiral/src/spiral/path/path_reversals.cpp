@@ -26,6 +26,7 @@ struct Bend {
 std::vector<Bend>
 findBends(const TurnedPath& path, double least)
 {
+  const double cosine_of_least = std::cos(least * degree);
   std::vector<Bend> bends;
   std::size_t before = 0; // the last point at another place
   for (std::size_t i = 1; i + 1 < path.places.size(); ++i) {
@@ -37,9 +38,9 @@ findBends(const TurnedPath& path, double least)
     before = i;
     if (!(in.norm() > 0.0) || beginsPass(path.passes, i + 1))
       continue;
-    const double angle = std::acos(std::clamp(in.dot(out) / (in.norm() * out.norm()), -1.0, 1.0)) / degree;
-    if (angle > least)
-      bends.push_back({i, angle});
+    const double cosine = std::clamp(in.dot(out) / (in.norm() * out.norm()), -1.0, 1.0);
+    if (cosine < cosine_of_least)
+      bends.push_back({i, std::acos(cosine) / degree});
   }
   return bends;
 }
@@ -156,20 +157,17 @@ PathReversals
 ballReversals(const SpiralPath& path, double tool_radius)
 {
   PathReversals found;
-  if (path.lifts.empty())
-    return found;
   Polyline centres;
   centres.reserve(path.contacts.size());
   for (std::size_t i = 0; i < path.contacts.size(); ++i)
     centres.push_back(path.contacts[i] + tool_radius * path.normals[i]);
-  std::vector<std::uint8_t> counted(path.contacts.size());
-  std::transform(path.lifts.begin(), path.lifts.end(), counted.begin(), [](float lift) { return lift > 0.0f; });
-  for (const Bend& bend : findBends({path.feet, path.turns, path.passes}, reversal))
-    counted[bend.at] = 0;
+  const std::vector<Bend> of_feet = findBends({path.onSurface(), path.turns, path.passes}, reversal);
   for (const Bend& bend : findBends({centres, path.turns, path.passes}, reversal)) {
-    if (!counted[bend.at])
+    const auto beside = std::lower_bound(of_feet.begin(), of_feet.end(), bend.at, [](const Bend& b, std::size_t at) { return b.at < at; });
+    if (beside != of_feet.end() && beside->at == bend.at)
       continue;
     ++found.count;
+    found.lifted += !path.lifts.empty() && path.lifts[bend.at] > 0.0f;
     if (bend.angle > found.angle) {
       found.angle = bend.angle;
       found.turn = path.turns[bend.at];

@@ -114,17 +114,20 @@ clusterWarning(const std::vector<TightPlace>& places)
          "farther beyond them are not known";
 }
 
-/** Counts the places where the lifted ball turns back, and warns of them. */
+/** Counts the places where the ball turns back, and warns of them. */
 void
 reportBallReversals(const SpiralPath& path, const SpiralSettings& settings, SpiralReport& report)
 {
   const PathReversals reversals = ballReversals(path, settings.tool_radius);
   report.reversals += reversals.count;
   if (reversals.count > 0)
-    report.warnings.push_back(
-        textOf("where the ball is lifted it turns back at ", reversals.count, reversals.count == 1 ? " place, by " : " places, by up to ",
-               reversals.angle, " degrees at ", placeText(reversals.place), " in turn ", reversals.turn,
-               ": the path turns round there, over a place that a ball of radius ", report.fitting_radius, " mm reaches (setToolRadius)"));
+    report.warnings.push_back(textOf(
+        "the ball turns back at ", reversals.count, reversals.count == 1 ? " place" : " places", " (", reversals.lifted,
+        " of them where it is lifted), by up to ", reversals.angle, " degrees at ", placeText(reversals.place), " in turn ", reversals.turn,
+        ", while its path over the surface runs on: the surface there is as hollow as the ball or more; ",
+        report.fitting_radius < settings.tool_radius ? textOf("a ball of radius ", report.fitting_radius, " mm reaches everything")
+                                                     : std::string("a smaller ball runs on"),
+        " (setToolRadius)"));
 }
 
 } // namespace

@@ -32,8 +32,8 @@ PathReversals findReversals(const TurnedPath& path, const std::vector<std::uint8
 /** The same between the ends of a \p curve that is not yet on the surface. */
 PathReversals curveReversals(const std::vector<SpiralPoint>& curve);
 
-/** Turns of the centre of the ball of radius \p tool_radius, mm, by more than 150 degrees from one move to the next, at lifted points of
- *  \p path whose feet do not turn back. */
+/** Turns of the centre of the ball of radius \p tool_radius, mm, by more than 150 degrees from one move to the next, at points of \p path
+ *  whose feet do not turn back: where the ball is lifted, and where the surface is nearly as hollow as the ball. */
 PathReversals ballReversals(const SpiralPath& path, double tool_radius);
 
 /** Ok, or an error with the remedy. Reversals at corners of the outline are allowed, and all those of SpiralMethod::ConstantScallop, whose
