@@ -59,7 +59,8 @@ BallReach::nearest(const Eigen::Vector3d& from, double within, Eigen::Vector3d& 
 Eigen::Vector3d
 BallReach::overObstacles(const Eigen::Vector3d& centre, const Eigen::Vector3d& up) const
 {
-  return isNearObstacle(centre, radius_ - tolerance_ + clearance_) ? freeAlong(centre, up) : centre;
+  const bool met = isNearObstacle(centre, radius_ - tolerance_ + clearance_) || isNearBeyond(centre, radius_ - tolerance_);
+  return met ? freeAlong(centre, up) : centre;
 }
 
 } // namespace pcl_spiral

@@ -52,11 +52,12 @@ reachTolerance(const MlsSurface& fit, double least)
   return std::max(least, deviations * fit.fitNoise());
 }
 
-BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles)
+BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles,
+                     const std::vector<SurfacePatch>& beyond)
 : radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)), own_(own_spacings * graph.spacing()),
   own_tolerance_(std::max(own_deviations / deviations * tolerance_, own_steps * graph.spacing())), side_(graph.meanNormal())
 {
-  fitPatches(graph, fit);
+  fitPatches(graph, fit, beyond);
   setObstacles(obstacles);
   findUnreached(graph);
   if (!unreached_.empty())
@@ -102,8 +103,20 @@ BallReach::addMissed(const MlsSurface& fit, const std::vector<Eigen::Vector3f>& 
       countIfMissed(height, queries[i]);
 }
 
+BallReach::Patch
+BallReach::patchOf(const SurfaceFoot& foot, double extent)
+{
+  Patch patch;
+  patch.extent = static_cast<float>(extent);
+  patch.normal = foot.normal.cast<float>();
+  patch.direction1 = foot.direction1.cast<float>();
+  patch.curvature1 = static_cast<float>(foot.curvature1);
+  patch.curvature2 = static_cast<float>(foot.curvature2);
+  return patch;
+}
+
 void
-BallReach::fitPatches(const SurfaceGraph& graph, const MlsSurface& fit)
+BallReach::fitPatches(const SurfaceGraph& graph, const MlsSurface& fit, const std::vector<SurfacePatch>& beyond)
 {
   const std::size_t size = graph.size();
   std::vector<Eigen::Vector3f> positions(size);
@@ -119,25 +132,33 @@ BallReach::fitPatches(const SurfaceGraph& graph, const MlsSurface& fit)
     for (std::size_t k = 0; k < feet.size(); ++k) {
       const std::size_t i = begin + k;
       const SurfaceFoot& foot = feet[k];
-      Patch& patch = fitted[i];
-      patch.extent = static_cast<float>(patch_spacings * graph.spacing(i));
-      widest_ = std::max(widest_, patch.extent);
+      const double extent = patch_spacings * graph.spacing(i);
       positions[i] = (foot.valid ? foot.position : queries[k]).cast<float>();
       heights[i] = foot.valid ? static_cast<float>(foot.normal.dot(queries[k] - foot.position)) : 0.0f;
-      patch.normal = (foot.valid ? foot.normal : graph.normal(i)).cast<float>();
-      patch.direction1 = foot.valid ? Eigen::Vector3f(foot.direction1.cast<float>()) : patch.normal.unitOrthogonal();
-      patch.curvature1 = foot.valid ? static_cast<float>(foot.curvature1) : 0.0f;
-      patch.curvature2 = foot.valid ? static_cast<float>(foot.curvature2) : 0.0f;
+      SurfaceFoot flat;
+      flat.normal = graph.normal(i);
+      flat.direction1 = flat.normal.unitOrthogonal();
+      fitted[i] = patchOf(foot.valid ? foot : flat, extent);
     }
   }
   findMissed(graph, heights);
+  std::vector<Eigen::Vector3f> outside;
+  for (const SurfacePatch& patch : beyond) {
+    outside.push_back(patch.foot.position.cast<float>());
+    fitted.push_back(patchOf(patch.foot, patch.extent));
+  }
+  positions.insert(positions.end(), outside.begin(), outside.end());
+  if (!outside.empty())
+    beyond_ = PointBlocks(std::move(outside));
   feet_ = PointBlocks(std::move(positions));
-  patches_.resize(size);
-  place_.resize(size);
-  for (std::size_t i = 0; i < size; ++i) {
+  patches_.resize(fitted.size());
+  place_.resize(fitted.size());
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
     patches_[i] = fitted[feet_.originalIndex(i)];
     place_[feet_.originalIndex(i)] = static_cast<std::uint32_t>(i);
+    widest_ = std::max(widest_, patches_[i].extent);
   }
+  place_.resize(size);
 }
 
 void
@@ -168,6 +189,12 @@ bool
 BallReach::isNearUnreached(const Eigen::Vector3d& place, double distance) const
 {
   return isNear(unreached_feet_, place, distance);
+}
+
+bool
+BallReach::isNearBeyond(const Eigen::Vector3d& place, double distance) const
+{
+  return isNear(beyond_, place, distance);
 }
 
 bool

@@ -98,7 +98,7 @@ choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageC
     throw Cancelled();
   // The other parts and the clusters are looked at again when the path is there.
   const bool echoes = !job.holder.empty() && job.part.clusters == ClusterHandling::LeaveOut;
-  const bool apart = job.part.part_at || job.settings.largest_part || job.part.clusters == ClusterHandling::Ride || echoes;
+  const bool apart = !result.part.beside.empty() || job.part.part_at || job.settings.largest_part || job.part.clusters == ClusterHandling::Ride || echoes;
   if (!job.mesh && job.reach.empty() && !apart && !(job.verify && judgedByTheSameSurface(job.settings)))
     return;
   result.surface = surfaceOf(job, result, bar);
@@ -173,6 +173,8 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
     setPart(job, result, generator);
   result.settings = settingsFor(job, result);
   generator.setSettings(result.settings);
+  if (!result.mesh && !result.part.beside.empty())
+    generator.setSurfaceBeyond(surfaceBeyond(*result.surface, result.part.beside, job.settings.tool_radius));
   result.settings.flip_normals = job.settings.flip_normals;
   generator.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   generator.compute(*result.path);

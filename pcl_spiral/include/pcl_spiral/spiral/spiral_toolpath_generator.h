@@ -10,6 +10,7 @@
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/surface/impl/surface_beyond.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/pcl_base.h>
@@ -17,6 +18,8 @@
 #include <pcl/point_types.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -172,6 +175,10 @@ public:
   /** What to do with gaps in the data; Bridge by default. */
   void setGapHandling(GapHandling gaps) { settings_.gaps = gaps; }
   GapHandling getGapHandling() const { return settings_.gaps; } ///< The value of setGapHandling.
+  /** The surface beyond that of the scan, which the ball must not cut into either: it rides over it as over tight places. See
+   *  surfaceBeyond; none by default, and none with TightHandling::Refuse. */
+  void setSurfaceBeyond(std::vector<SurfacePatch> patches) { beyond_ = std::move(patches); }
+  const std::vector<SurfacePatch>& getSurfaceBeyond() const { return beyond_; } ///< The value of setSurfaceBeyond.
   /** What to do with places that the ball does not reach; Ride by default. */
   void setTightHandling(TightHandling tight) { settings_.tight = tight; }
   TightHandling getTightHandling() const { return settings_.tight; } ///< The value of setTightHandling.
@@ -218,6 +225,7 @@ private:
   std::vector<BoundaryLoop> given_loops_;
   std::optional<RadialLineSet> given_lines_;
   SpiralSettings settings_;
+  std::vector<SurfacePatch> beyond_;
   ProgressCallback progress_;
   SpiralReport report_;
 };

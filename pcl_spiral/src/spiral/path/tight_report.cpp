@@ -147,13 +147,13 @@ checkRidden(const Surface& surface, const SpiralSettings& settings)
 }
 
 std::unique_ptr<BallReach>
-makeReach(const Surface& surface, const SpiralSettings& settings)
+makeReach(const Surface& surface, const SpiralSettings& settings, const std::vector<SurfacePatch>& beyond)
 {
   if (settings.tight == TightHandling::Refuse)
     return nullptr;
   auto reach = std::make_unique<BallReach>(
       surface.graph(), surface.fit(), settings.tool_radius, reachTolerance(surface.fit(), noise_share * settings.chord_error),
-      BallObstacles{surface.riddenPoints(), moves_share * settings.chord_error + edge_share * surface.spacing()});
+      BallObstacles{surface.riddenPoints(), moves_share * settings.chord_error + edge_share * surface.spacing()}, beyond);
   reach->addMissed(surface.fit(), surface.isolatedPoints(), surface.spacing());
   return reach;
 }

@@ -76,7 +76,8 @@ Ride::take(const SpiralPath& path)
     point.turn = path.turns[i];
     point.over_gap = path.over_gap[i];
     point.fresh = reach_.isNearUnreached(point.foot, longest_ + near_spacings * surface_.spacing()) ||
-                  reach_.isNearObstacle(point.foot + radius_ * point.normal, longest_ + 1.1 * radius_);
+                  reach_.isNearObstacle(point.foot + radius_ * point.normal, longest_ + 1.1 * radius_) ||
+                  reach_.isNearBeyond(point.foot + radius_ * point.normal, longest_ + radius_);
     place(point);
     lifted = lifted || point.lifted;
   }
@@ -249,7 +250,7 @@ rideTightPlaces(const Surface& surface, const BallReach* given, const SpiralSett
 {
   const std::unique_ptr<BallReach> own = given ? nullptr : makeReach(surface, settings);
   const BallReach& reach = given ? *given : *own;
-  if (reach.unreached().empty() && surface.riddenPoints().empty())
+  if (reach.unreached().empty() && surface.riddenPoints().empty() && !reach.hasBeyond())
     return Status::success();
   Ride ride(surface, reach, settings, longest_step);
   if (!ride.take(path))

@@ -91,7 +91,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
       return status;
     report_.loops = given_loops_;
     reportNoise(*surface, settings_, report_);
-    reach = makeReach(*surface, settings_);
+    reach = makeReach(*surface, settings_, beyond_);
     const Status reached = checkReach(reach.get());
     return reached.ok() ? makeOnLines(surface, *given_lines_, clock, turns) : reached;
   }
@@ -99,7 +99,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
   if (const Status status = makeLoops(surface, loops); !status.ok())
     return status;
   clock.end("boundaries");
-  reach = makeReach(*surface, settings_);
+  reach = makeReach(*surface, settings_, beyond_);
   if (const Status status = checkReach(reach.get()); !status.ok())
     return status;
   clock.end("reach of the ball");

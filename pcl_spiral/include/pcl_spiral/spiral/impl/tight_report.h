@@ -17,8 +17,8 @@ namespace pcl_spiral {
 /** Ok, or an error if \p surface has clusters to ride over, but \p settings do not lift the ball. */
 Status checkRidden(const Surface& surface, const SpiralSettings& settings);
 
-/** Reach of the ball of \p settings on \p surface; null with TightHandling::Refuse. */
-std::unique_ptr<BallReach> makeReach(const Surface& surface, const SpiralSettings& settings);
+/** Reach of the ball of \p settings on \p surface, which continues in the patches \p beyond; null with TightHandling::Refuse. */
+std::unique_ptr<BallReach> makeReach(const Surface& surface, const SpiralSettings& settings, const std::vector<SurfacePatch>& beyond = {});
 
 /** Ok, or an error if \p reach misses more than half of the points: that is the wrong cutter for the part, or the wrong unit. Names the
  *  tightest place and the radius that reaches nine tenths of the points. Ok for null. */

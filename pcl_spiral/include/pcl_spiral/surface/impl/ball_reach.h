@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/graph/impl/surface_graph.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/surface/impl/surface_beyond.h>
 
 #include <Eigen/Core>
 
@@ -42,13 +43,16 @@ struct BallObstacles {
  *  The surface is the fit at the points of the graph, with a patch of second order at each point. A ball is free if no patch is deeper
  *  in it than tolerance(). The largest ball at a foot is found by shrinking (Ma, Bae and Choi 2012, 3D medial axis point approximation
  *  using nearest neighbors and the normal field). A ball that is too large rests at the free place nearest to the largest one. Over
- *  obstacles the ball is lifted along the normal of its foot, as when a cutter is dropped onto points (drop cutter).
+ *  obstacles the ball is lifted along the normal of its foot, as when a cutter is dropped onto points (drop cutter). Where the surface
+ *  continues beyond the graph, its patches hold the ball as those of the graph do.
  *
  *  Every point is looked at once: near-linear, in parallel, the same for any number of threads. Memory: about 70 bytes per point. */
 class BallReach {
 public:
-  /** \p graph and \p fit must outlive it. \p tolerance, mm: depth that counts as noise of the surface. */
-  BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles = {});
+  /** \p graph and \p fit must outlive it. \p tolerance, mm: depth that counts as noise of the surface. \p beyond: the surface beside that
+   *  of the graph, see surfaceBeyond. */
+  BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles = {},
+            const std::vector<SurfacePatch>& beyond = {});
 
   double radius() const { return radius_; }       ///< Of the ball, mm.
   double tolerance() const { return tolerance_; } ///< As given, mm.
@@ -67,6 +71,10 @@ public:
   bool isNearUnreached(const Eigen::Vector3d& place, double distance) const;
   /** True if an obstacle, or its post, lies within \p distance of \p place. */
   bool isNearObstacle(const Eigen::Vector3d& place, double distance) const;
+  /** The same of the surface beyond the graph. */
+  bool isNearBeyond(const Eigen::Vector3d& place, double distance) const;
+  /** True if the surface beyond the graph is known. */
+  bool hasBeyond() const { return beyond_.size() > 0; }
 
   /** Radius of the largest free ball that touches the surface at \p foot, where its outer normal is \p normal; at most radius(). Without
    *  regard to obstacles. */
@@ -75,7 +83,8 @@ public:
    *  the way, else the free place nearest to the largest ball that touches there. Not finite if there is none: the surface closes round
    *  the place. */
   Eigen::Vector3d centre(const Eigen::Vector3d& foot, const Eigen::Vector3d& normal) const;
-  /** The first free centre from \p centre along the unit vector \p up if an obstacle is in the ball there; else \p centre. */
+  /** The first free centre from \p centre along the unit vector \p up if an obstacle, or the surface beyond the graph, is in the ball
+   *  there; else \p centre. */
   Eigen::Vector3d overObstacles(const Eigen::Vector3d& centre, const Eigen::Vector3d& up) const;
   /** The first free centre from \p from along the unit vector \p direction. */
   Eigen::Vector3d freeAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
@@ -95,7 +104,8 @@ private:
     float extent = 0.0f; ///< mm
   };
 
-  void fitPatches(const SurfaceGraph& graph, const MlsSurface& fit);
+  void fitPatches(const SurfaceGraph& graph, const MlsSurface& fit, const std::vector<SurfacePatch>& beyond);
+  static Patch patchOf(const SurfaceFoot& foot, double extent);
   void findMissed(const SurfaceGraph& graph, const std::vector<float>& heights);
   void countIfMissed(double height, const Eigen::Vector3d& place);
   void findUnreached(const SurfaceGraph& graph);
@@ -127,6 +137,7 @@ private:
   std::vector<UnreachedPoint> unreached_;
   PointBlocks unreached_feet_;
   PointBlocks obstacles_;  // with points of their posts
+  PointBlocks beyond_;     // feet of the surface beyond the graph
   double clearance_ = 0.0; // mm
   Eigen::Vector3d side_;
   float widest_ = 0.0f; // extent of a patch
