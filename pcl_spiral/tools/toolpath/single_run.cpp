@@ -98,7 +98,8 @@ choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageC
     throw Cancelled();
   // The other parts and the clusters are looked at again when the path is there.
   const bool echoes = !job.holder.empty() && job.part.clusters == ClusterHandling::LeaveOut;
-  const bool apart = !result.part.beside.empty() || job.part.part_at || job.settings.largest_part || job.part.clusters == ClusterHandling::Ride || echoes;
+  const bool apart =
+      !result.part.beside.empty() || job.part.part_at || job.settings.largest_part || job.part.clusters == ClusterHandling::Ride || echoes;
   if (!job.mesh && job.reach.empty() && !apart && !(job.verify && judgedByTheSameSurface(job.settings)))
     return;
   result.surface = surfaceOf(job, result, bar);
