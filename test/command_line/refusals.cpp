@@ -157,7 +157,7 @@ TEST_F(Refusals, ThinDoubleWalls)
 {
   for (const double apart : {1.0, 3.0})
     expectRefused(cap(6000) + moved(cap(6000, 40.0, 6), 0.0, 0.0, -apart), {}, 1,
-                  {"not a single sheet", "thin double wall", "mm at (", "keep only one side", "smooth the cloud first"});
+                  {"not a single sheet", "thin double wall", "mm at (", "keep only one side", "folds of the part", "scan more densely"});
 }
 
 TEST_F(Refusals, CentresOffThePart)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points that fill space are refused before any graph is built of them, with how they lie; noisy, folded and sparse surfaces are not.
+#include <pcl_spiral/surface/impl/smoothing_remedy.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <gtest/gtest.h>
@@ -175,6 +176,37 @@ TEST(HopelessScans, NoiseOfAnotherPartIsNotThatOfThePart)
     scanned.compute(surface);
     EXPECT_TRUE(scanned.getStatus().ok()) << scanned.getStatus().message();
   }
+}
+
+TEST(HopelessScans, NoRemedySmoothsMoreThanEightSpacings)
+{
+  EXPECT_NE(smoothingRemedy(0.39, 1.0).find("pcl_mls_smoothing in.pcd out.pcd -radius 7.8"), std::string::npos);
+  for (const double noise : {0.41, 1.0, 5.0}) {
+    const std::string remedy = smoothingRemedy(noise, 1.0);
+    EXPECT_EQ(remedy.find("pcl_mls_smoothing"), std::string::npos) << remedy;
+    EXPECT_EQ(remedy.find("radius"), std::string::npos) << remedy;
+    for (const char* words : {"folds", "scan more densely", "(setCrop)", "one sheet at a time"})
+      EXPECT_NE(remedy.find(words), std::string::npos) << remedy;
+  }
+}
+
+TEST(HopelessScans, FoldsAreNotSmoothedAway)
+{
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (const Eigen::Vector3f& p : drawn([](const auto&unit, const auto&) { // folds four spacings wide, two high
+         const double x = 50.0 * unit(), y = 50.0 * unit();
+         return Vector3d(x, y, 2.0 * spacing * std::sin(2.0 * M_PI * x / (4.0 * spacing)));
+       }))
+    cloud->emplace_back(p.x(), p.y(), p.z());
+  ScannedSurface<pcl::PointXYZ> scanned;
+  scanned.setInputCloud(cloud);
+  scanned.setQuiet(true);
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  const std::string message = scanned.getStatus().message();
+  ASSERT_FALSE(scanned.getStatus().ok());
+  EXPECT_EQ(message.find("pcl_mls_smoothing"), std::string::npos) << message;
+  EXPECT_NE(message.find("folds of the part with too few points"), std::string::npos) << message;
 }
 
 TEST(HopelessScans, TightBendsAreShownByADenserScan)

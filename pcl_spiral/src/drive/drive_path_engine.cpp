@@ -61,7 +61,8 @@ warnOfScatter(const Surface& surface, const DriveSettings& settings, DriveReport
     return;
   if (const double noise = surface.noise(); noise > much * surface.spacing())
     report.warnings.push_back(textOf("the noise of the points is ", noise, " mm (standard deviation), at a spacing of ", surface.spacing(),
-                                     " mm: passes are ragged, and interrupted where layers overlap; ", smoothingRemedy(noise)));
+                                     " mm: passes are ragged, and interrupted where layers overlap; ",
+                                     smoothingRemedy(noise, surface.spacing())));
 }
 
 } // namespace

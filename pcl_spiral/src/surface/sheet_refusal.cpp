@@ -50,7 +50,7 @@ sheetRefusal(double noise, double spacing, const std::vector<PointHeight>& heigh
                  "flying points over the surface), or it bends too tightly for its points (a radius under two spacings); for a wall, keep "
                  "only one side in the cloud; where trees or flying points are, crop the scan to the part (setCrop); for tight bends, "
                  "scan more densely; for noise, ",
-                 smoothingRemedy(noise))};
+                 smoothingRemedy(noise, spacing))};
 }
 
 } // namespace pcl_spiral
