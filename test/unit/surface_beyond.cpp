@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <random>
 #include <string>
@@ -16,13 +17,14 @@ using namespace pcl_spiral;
 using Eigen::Vector3d;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr double half = 20.0, spacing = 0.7, chord_error = 0.02; // mm
+constexpr double half = 18.0, spacing = 0.7, chord_error = 0.02; // mm
 
 struct Scene {
   std::string name;
   std::function<double(double, double)> height;
   double low, high; ///< of x in the crop; y is within 13
   double ball;
+  double curvature; ///< the largest beyond the crop where it is convex, 1/mm
   double noise = 0.0;
 };
 
@@ -80,8 +82,8 @@ deepest(const Scene& scene, const Surface::ConstPtr& surface, const std::vector<
   spiral.compute(path);
   EXPECT_TRUE(spiral.getStatus().ok()) << scene.name << ": " << spiral.getStatus().message();
   double nearest = scene.ball;
-  for (double x = -half; x < half; x += 0.2)
-    for (double y = -half; y < half; y += 0.2)
+  for (double x = -half; x < half; x += 0.25)
+    for (double y = -half; y < half; y += 0.25)
       for (std::size_t i = 0; !isInside(scene, x, y) && i < path.size(); ++i) {
         const ToolpathPoint& p = path[i];
         const Vector3d centre = (p.getVector3fMap() + float(scene.ball) * p.getNormalVector3fMap()).cast<double>();
@@ -98,27 +100,30 @@ TEST(SurfaceBeyond, TheBallRidesOverWhatContinues)
 {
   const auto valley = [](double x, double) { return std::abs(x) > 8.0 ? std::pow(std::abs(x) - 8.0, 2) / 12.0 : 0.0; };
   const auto corner = [](double x, double y) { return wall(x, 0.0) + wall(y, 0.0); };
-  for (const Scene& scene : {Scene{"valley", valley, -9.0, 9.0, 7.0}, Scene{"wall", wall, -10.0, 11.0, 4.0},
-                             Scene{"noisy wall", wall, -10.0, 11.0, 4.0, 0.02}, Scene{"corner", corner, -10.0, 11.0, 4.0}}) {
+  for (const Scene& scene : {Scene{"valley", valley, -9.0, 9.0, 7.0, 0.0}, Scene{"wall", wall, -10.0, 9.5, 4.0, 0.34},
+                             Scene{"noisy wall", wall, -10.0, 9.5, 4.0, 0.34, 0.02}, Scene{"corner", corner, -10.0, 9.5, 4.0, 0.34}}) {
     const CutScan scan = scanOf(scene);
     const Surface::ConstPtr surface = surfaceOf(scan.part);
     ASSERT_TRUE(surface) << scene.name;
-    const double allowed = 3.0 * scene.noise + chord_error + spacing * spacing / (8.0 * scene.ball);
-    EXPECT_LE(deepest(scene, surface, surfaceBeyond(*surface, scan.beside, scene.ball)), allowed) << scene.name;
-    EXPECT_GT(deepest(scene, surface, {}), 2.0 * allowed) << scene.name << ": nothing to ride over";
+    const double between = spacing * spacing / 8.0 * (1.0 / scene.ball + scene.curvature); // ball and surface bulge between points
+    const double allowed = 3.0 * scene.noise + chord_error + between;
+    const double ridden = deepest(scene, surface, surfaceBeyond(*surface, scan.beside, scene.ball)), before = deepest(scene, surface, {});
+    std::printf("  %s: %.4f mm deep, %.4f not knowing what is beyond; allowed %.4f\n", scene.name.c_str(), ridden, before, allowed);
+    EXPECT_LE(ridden, allowed) << scene.name;
+    EXPECT_GT(before, allowed) << scene.name << ": nothing to ride over";
   }
 }
 
 TEST(SurfaceBeyond, NothingWhereNoBallTouches)
 {
-  const Scene dome{"dome", [](double x, double y) { return std::sqrt(1600.0 - x * x - y * y); }, -12.0, 12.0, 6.0};
+  const Scene dome{"dome", [](double x, double y) { return std::sqrt(1600.0 - x * x - y * y); }, -12.0, 12.0, 6.0, 0.025};
   const CutScan scan = scanOf(dome);
   EXPECT_TRUE(surfaceBeyond(*surfaceOf(scan.part), scan.beside, dome.ball).empty());
 }
 
 TEST(SurfaceBeyond, AClampBesideIsNoSurface)
 {
-  const Scene plate{"plate", [](double x, double) { return x > 11.5 ? 8.0 : 0.0; }, -10.0, 11.0, 4.0};
+  const Scene plate{"plate", [](double x, double) { return x > 11.5 ? 8.0 : 0.0; }, -10.0, 11.0, 4.0, 0.0};
   const CutScan scan = scanOf(plate);
   for (const SurfacePatch& patch : surfaceBeyond(*surfaceOf(scan.part), scan.beside, plate.ball))
     ASSERT_LT(patch.foot.position.z(), 1.0) << patch.foot.position.transpose();
