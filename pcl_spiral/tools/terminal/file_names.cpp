@@ -2,30 +2,13 @@
 #include "file_names.h"
 #include "terminal.h"
 
+#include "common/shell_word.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 
 namespace fs = std::filesystem;
-
-namespace {
-
-/** The word for a shell: in single quotes if it holds special characters. */
-std::string
-quoted(const std::string& word)
-{
-  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
-    return std::isalnum(c) || std::string("-_./,:=+@%").find(static_cast<char>(c)) != std::string::npos;
-  });
-  if (plain)
-    return word;
-  std::string result = "'";
-  for (const char c : word)
-    result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
-} // namespace
 
 std::string
 extensionOf(const std::string& file)
@@ -56,6 +39,6 @@ commandLine(int argc, const char* const* argv)
 {
   std::string line = argc > 0 ? fs::path(argv[0]).filename().string() : std::string();
   for (int i = 1; i < argc; ++i)
-    line += " " + quoted(argv[i]);
+    line += " " + pcl_spiral::shellWord(argv[i]);
   return line;
 }

@@ -4,6 +4,7 @@
 #include "scan_places.h"
 
 #include "common/formatted_text.h"
+#include "common/shell_word.h"
 #include <pcl_spiral/io/polygon_reader.h>
 
 using namespace pcl_spiral;
@@ -19,7 +20,7 @@ optionText(const Eigen::Vector3d& place)
 std::string
 textOfRegion(const PartChoice& part)
 {
-  std::string text = part.region.empty() ? std::string() : "--region " + part.region;
+  std::string text = part.region.empty() ? std::string() : "--region " + shellFile(part.region);
   if (part.part_at)
     text += (text.empty() ? "" : " ") + optionText(*part.part_at);
   return text;
