@@ -7,6 +7,7 @@ using namespace pcl_spiral;
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  fuzzTable(data, size, 3, [](std::string_view bytes) { return readLasTable("scan.las", bytes); });
+  std::vector<std::string> warnings;
+  fuzzTable(data, size, 3, [&warnings](std::string_view bytes) { return readLasTable("scan.las", bytes, warnings); });
   return 0;
 }

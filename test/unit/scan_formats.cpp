@@ -58,6 +58,73 @@ lasFile(std::uint8_t minor, std::uint8_t format, std::size_t extra = 0)
   return bytes;
 }
 
+/** A record of variable length for the coordinate system, of type \p id. */
+std::string
+projectionRecord(std::uint16_t id, const std::string& body, bool extended = false)
+{
+  std::string record(extended ? 60 : 54, '\0');
+  record.replace(2, 15, "LASF_Projection");
+  put(record, 18, id);
+  if (extended)
+    put(record, 20, static_cast<std::uint64_t>(body.size()));
+  else
+    put(record, 20, static_cast<std::uint16_t>(body.size()));
+  return record + body;
+}
+
+/** Keys of GeoTIFF with their values. */
+std::string
+geoKeys(const std::vector<std::array<std::uint16_t, 2>>& keys)
+{
+  std::string body(8 + 8 * keys.size(), '\0');
+  put<std::uint16_t>(body, 0, 1);
+  put<std::uint16_t>(body, 2, 1);
+  put(body, 6, static_cast<std::uint16_t>(keys.size()));
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    put(body, 8 + 8 * i, keys[i][0]);
+    put<std::uint16_t>(body, 12 + 8 * i, 1);
+    put(body, 14 + 8 * i, keys[i][1]);
+  }
+  return projectionRecord(34735, body);
+}
+
+/** \p las with \p record between its header and its points, as its only one; for version 1.4 behind the points, if \p behind. */
+std::string
+withRecord(std::string las, const std::string& record, bool behind = false)
+{
+  std::uint16_t header = 0;
+  std::uint32_t begin = 0;
+  std::memcpy(&header, &las[94], 2);
+  std::memcpy(&begin, &las[96], 4);
+  if (behind) {
+    put(las, 235, static_cast<std::uint64_t>(las.size()));
+    put<std::uint32_t>(las, 243, 1);
+    return las + record;
+  }
+  las.replace(header, begin - header, record);
+  put(las, 96, static_cast<std::uint32_t>(header + record.size()));
+  put<std::uint32_t>(las, 100, 1);
+  return las;
+}
+
+/** \p las with records near longitude 11.5 and latitude 48.1, with steps of \p degrees and \p metres. */
+std::string
+inDegrees(std::string las, double degrees, double metres)
+{
+  std::uint32_t begin = 0;
+  std::uint16_t size = 0;
+  std::memcpy(&begin, &las[96], 4);
+  std::memcpy(&size, &las[105], 2);
+  const std::array<double, 3> steps{degrees, degrees, metres}, offsets{11.5, 48.1, 500.0};
+  for (int c = 0; c < 3; ++c) {
+    put(las, 131 + 8 * c, steps[static_cast<std::size_t>(c)]);
+    put(las, 155 + 8 * c, offsets[static_cast<std::size_t>(c)]);
+    for (std::size_t i = 0; i < records.size(); ++i)
+      put(las, begin + i * size + 4 * static_cast<std::size_t>(c), static_cast<std::int32_t>((i + 1) * 100 * (c + 1) % 700));
+  }
+  return las;
+}
+
 class ScanFormats : public ::testing::Test {
 protected:
   Scan read(const std::string& name, const std::string& content, const ReadOptions& options = {})
@@ -157,4 +224,72 @@ TEST_F(ScanFormats, FeetAreExact)
   EXPECT_FLOAT_EQ((*read("a.xyz", "100 0 0\n0 0 1\n", options).cloud)[0].x, 30480.0f);
   options.unit = LengthUnit::SurveyFoot;
   EXPECT_FLOAT_EQ((*read("a.xyz", "100 0 0\n0 0 1\n", options).cloud)[0].x, 30480.06096f);
+}
+
+TEST_F(ScanFormats, WithheldPointsOfLasAreLeftOutAndCounted)
+{
+  ReadOptions options;
+  options.unit = LengthUnit::Metre;
+  options.origin = offset;
+  for (std::uint8_t format = 0; format <= 10; ++format) {
+    SCOPED_TRACE("format " + std::to_string(format));
+    std::string las = lasFile(format < 6 ? 2 : 4, format);
+    const std::size_t begin = las.size() - records.size() * record_sizes[format];
+    const auto flags = [&](std::size_t i) { return begin + i * record_sizes[format] + 15; };
+    for (std::size_t i = 0; i < records.size(); ++i)
+      las[flags(i)] = static_cast<char>(format < 6 ? 0x60 : 0x0B); // synthetic, key point, overlap: these are points
+    EXPECT_EQ(read("a.las", las, options).cloud->size(), records.size());
+    las[flags(1)] = static_cast<char>(format < 6 ? 0x82 : 0x04);
+    const Scan scan = read("a.las", las, options);
+    ASSERT_EQ(scan.cloud->size(), 2U);
+    EXPECT_NEAR((*scan.cloud)[1].z, 1000.0 * scale * records[2][2], 1e-6);
+    ASSERT_FALSE(scan.warnings.empty());
+    EXPECT_NE(scan.warnings[0].find("1 of 3 points is flagged withheld and was left out"), std::string::npos) << scan.warnings[0];
+    las[flags(0)] = las[flags(2)] = las[flags(1)];
+    expectProblem("a.las", las, "all of its 3 points are flagged withheld");
+  }
+}
+
+TEST_F(ScanFormats, DegreesOfLasAreRefusedWithTheCommandThatReprojects)
+{
+  const std::string wgs = "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257]],UNIT[\"degree\",0.0174]]";
+  const std::string degrees = "are degrees, longitude and latitude, but a tool needs lengths: reproject them to metres";
+  const std::string las = lasFile(2, 1), late = lasFile(4, 6);
+  for (const std::string& named :
+       {withRecord(las, geoKeys({{1024, 2}, {2048, 4326}})), withRecord(las, geoKeys({{2048, 4258}})),
+        withRecord(late, projectionRecord(2112, wgs)), withRecord(late, projectionRecord(2112, wgs, true), true),
+        withRecord(late, projectionRecord(2112, "GEOGCRS [\"WGS 84\"]")), withRecord(late, projectionRecord(2112, "COMPD_CS[\"a\"," + wgs)),
+        withRecord(late, projectionRecord(2112, "GEODCRS[\"a\",CS[ellipsoidal,2]]"))})
+    expectProblem("a.las", inDegrees(named, 1e-7, 0.001), degrees);
+  expectProblem("my scan.las", withRecord(inDegrees(las, 1e-7, 0.001), geoKeys({{1024, 2}, {2048, 4326}})),
+                "pdal translate '" + folder_.path("my scan.las") + "' '" + folder_.path("my scan_metres.las") +
+                    "' reprojection --filters.reprojection.out_srs='+proj=tmerc +lat_0=48.1");
+  expectProblem("a.las", inDegrees(las, 1e-7, 0.001), "names no coordinate system, but its coordinates, by their ranges, " + degrees);
+  expectProblem("a.las", inDegrees(las, 1e-7, 0.01), "in_srs=EPSG:4326");
+  expectProblem("a.las", inDegrees(las, 1e-9, 1e-4), degrees);
+}
+
+TEST_F(ScanFormats, LengthsAreNoDegrees)
+{
+  const std::string utm = "PROJCS[\"UTM 32N\",GEOGCS[\"WGS 84\"],UNIT[\"metre\",1]]";
+  const std::string las = lasFile(2, 1), late = lasFile(4, 6);
+  const auto isRead = [this](const std::string& content) { EXPECT_EQ(read("a.las", content).cloud->size(), records.size()); };
+  isRead(withRecord(las, geoKeys({{1024, 1}, {2048, 4326}, {3072, 32632}})));
+  isRead(withRecord(las, geoKeys({{2048, 4326}, {3072, 32632}})));
+  isRead(withRecord(late, projectionRecord(2112, utm)));
+  isRead(withRecord(late, projectionRecord(2112, "PROJCRS[\"UTM\",BASEGEOGCRS[\"WGS 84\"],CS[Cartesian,2]]")));
+  isRead(withRecord(late, projectionRecord(2112, "GEODCRS[\"a\",CS[Cartesian,3]]")));
+  isRead(inDegrees(withRecord(las, geoKeys({{1024, 1}, {3072, 32632}})), 1e-7, 0.001)); // it says that they are lengths
+  isRead(inDegrees(las, 1e-4, 1e-4));                                                   // a scan of 0.1 m at 48 m
+  isRead(withRecord(las, geoKeys({{1024, 2}}).substr(0, 60)));                          // cut off
+}
+
+TEST_F(ScanFormats, TextThatLooksLikeDegreesIsWarnedOf)
+{
+  const Scan far = read("a.xyz", "11.5000001 48.1000002 500\n11.5000003 48.1000001 500.01\n11.5000002 48.1000004 500.02\n");
+  ASSERT_FALSE(far.warnings.empty());
+  EXPECT_NE(far.warnings[0].find("look as if they are degrees"), std::string::npos) << far.warnings[0];
+  for (const std::string& scan : {"11.5 48.1 0\n11.5 48.1 100\n", "0 0 0\n0.001 0.001 50\n", "50 50 0\n51 52 30\n"})
+    for (const std::string& warning : read("b.xyz", scan).warnings)
+      EXPECT_EQ(warning.find("degrees"), std::string::npos) << warning;
 }

@@ -1,17 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "byte_file.h"
 
+#include "common/shell_word.h"
 #include <pcl_spiral/io/file_error.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 
 namespace fs = std::filesystem;
 
 namespace pcl_spiral {
+namespace {
+
+/** What is left in a stream. */
+std::string
+allBytes(std::FILE* stream)
+{
+  std::string bytes;
+  std::array<char, 65536> piece{};
+  while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), stream))
+    bytes.append(piece.data(), got);
+  return bytes;
+}
+
+/** \throw FileError if there are fewer than \p size */
+std::string
+sizedBytes(const std::string& file, std::FILE* stream, std::size_t size)
+{
+  std::string bytes(size, '\0');
+  const std::size_t got = std::fread(bytes.data(), 1, size, stream);
+  if (got != size)
+    throw FileError(file, std::string("cannot be read: ") + std::strerror(errno) + " after byte " + std::to_string(got));
+  return bytes;
+}
+
+} // namespace
 
 ByteFile::ByteFile(std::string file) : file_(std::move(file)), stream_(std::fopen(file_.c_str(), "wb"))
 {
@@ -41,27 +69,42 @@ ByteFile::close()
     throw FileError(file_, std::string("cannot be written: ") + std::strerror(errno));
 }
 
+bool
+isStream(const std::string& file)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
 std::string
 readBytes(const std::string& file)
+{
+  if (isStream(file))
+    throw FileError(file, "is a pipe, and this file is read more than once; write it into a file first: cat " + shellFile(file) +
+                              " > FILE, and give FILE");
+  return readStream(file);
+}
+
+std::string
+readStream(const std::string& file)
 {
   std::error_code error;
   if (!fs::exists(file, error))
     throw FileError(file, "there is no such file; check the name and the folder");
   if (fs::is_directory(file, error))
     throw FileError(file, "this is a folder; give a file in it");
-  std::FILE* const stream = std::fopen(file.c_str(), "rb");
-  if (!stream)
+  const bool stream = isStream(file);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> opened(std::fopen(file.c_str(), "rb"), std::fclose);
+  if (!opened)
     throw FileError(file, std::string("cannot be read: ") + std::strerror(errno));
-  std::string bytes;
-  const auto expected = fs::file_size(file, error);
-  bytes.resize(error ? 0 : static_cast<std::size_t>(expected));
-  const std::size_t got = std::fread(bytes.data(), 1, bytes.size(), stream);
-  const bool failed = std::ferror(stream) != 0;
-  std::fclose(stream);
-  if (failed || got != bytes.size())
-    throw FileError(file, std::string("cannot be read: ") + std::strerror(errno) + " after byte " + std::to_string(got));
+  const std::uintmax_t size = stream ? 0 : fs::file_size(file, error);
+  std::string bytes = stream ? allBytes(opened.get()) : sizedBytes(file, opened.get(), error ? 0 : static_cast<std::size_t>(size));
+  if (std::ferror(opened.get()) != 0)
+    throw FileError(file, std::string("cannot be read: ") + std::strerror(errno) + " after byte " + std::to_string(bytes.size()));
   if (bytes.empty())
-    throw FileError(file, "is empty (0 bytes); export or make it again");
+    throw FileError(file, stream ? "is a pipe that gave nothing (0 bytes); look at the program that writes into it"
+                                 : "is empty (0 bytes); export or make it again");
   return bytes;
 }
 

@@ -29,8 +29,14 @@ private:
   std::FILE* stream_;
 };
 
-/** The whole file. \throw FileError if it is missing, a folder, empty or not readable */
+/** Whether \p file is a pipe, a terminal or another stream, which can be read only once, from start to end. */
+bool isStream(const std::string& file);
+
+/** The whole file. \throw FileError if it is missing, a folder, a stream, empty or not readable */
 std::string readBytes(const std::string& file);
+
+/** The same; a stream is read to its end. */
+std::string readStream(const std::string& file);
 
 /** Extension in lower case with the dot; empty if there is none. */
 std::string lowerExtension(const std::string& file);

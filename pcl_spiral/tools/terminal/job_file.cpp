@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "job_file.h"
 
+#include "io/byte_file.h"
 #include <pcl_spiral/io/file_error.h>
 
 #include <yaml-cpp/yaml.h>
@@ -29,10 +30,11 @@ scalar(const std::string& file, const YAML::Node& node)
 YAML::Node
 load(const std::string& file)
 {
-  if (!std::filesystem::is_regular_file(file))
+  if (!std::filesystem::exists(file) || std::filesystem::is_directory(file))
     throw FileError(file, "there is no such job file; check the name and the folder");
+  const std::string text = pcl_spiral::readStream(file);
   try {
-    return YAML::LoadFile(file);
+    return YAML::Load(text);
   }
   catch (const YAML::Exception& error) {
     throw FileError(file, error.what());

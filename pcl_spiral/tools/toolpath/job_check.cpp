@@ -62,9 +62,10 @@ checkMesh(const Job& job)
     return;
   }
   const auto& known = pcl_spiral::meshExtensions();
-  if (const std::string extension = extensionOf(job.scan); std::find(known.begin(), known.end(), extension) == known.end())
+  if (const std::string extension = extensionOf(job.scan);
+      !extension.empty() && std::find(known.begin(), known.end(), extension) == known.end())
     throw UsageError(job.scan + ": --mesh reads .stl .obj and .ply, and '" + extension + "' holds no faces; for points leave --mesh out");
-  for (const char* option : {"columns", "view-point", "thin", "outliers", "crop", "region", "keep-out"})
+  for (const char* option : {"columns", "skip-lines", "view-point", "thin", "outliers", "crop", "region", "keep-out"})
     if (job.given.count(option) > 0)
       throw UsageError(std::string("--") + option + " belongs to scans, and --mesh is given: " +
                        (std::string(option) == "view-point" ? "the faces define the side (--flip-normals turns them); " : "") +

@@ -49,6 +49,7 @@ struct ReadOptions {
   /** Text files only: a name for each column, from the left; the columns named x, y and z are
    *  used. Empty: taken from the header of the file, otherwise the first three columns. */
   std::vector<std::string> columns;
+  std::size_t skip_lines = 0; ///< text files only: lines at the beginning that are not read, such as a title
   /** Subtract a round place near the points, too, if single precision would round their coordinates by more than 0.001 mm and
    *  they are far from 0 for their extent, as map coordinates are; see Scan::shift. */
   bool find_origin = false;
@@ -69,11 +70,14 @@ const std::vector<std::string>& cloudExtensions();
 /** Reads the points of a .pcd, .ply, .stl, .obj (vertices), .las, or of a text file .xyz .txt .csv .asc .pts.
  *
  *  Text: one point per line; columns separated by commas, semicolons, or blanks; comment
- *  lines start with # or //. A .pts begins with the number of its points. LAS: versions 1.0 to 1.4, not compressed. Scaling and
- *  shift are done in double precision, then rounded to float; a warning reports where the rounding is more than 0.001 mm.
- *  Nothing else is changed: not-a-number points and duplicates stay. Columns nx ny nz, or normal_x normal_y normal_z, of a
- *  .pcd, .ply or text file are read as normals. \throw FileError with the line or byte and the reason: missing, a folder, empty, cut
- *  off, not a number, no x y z, unknown extension; for .laz and .e57 with a command that converts them */
+ *  lines start with # or //. Numbers may be in quotes. Titles and the number of points may stand above them: a warning names titles
+ *  that were passed over. A .pts begins with the number of its points. LAS: versions 1.0 to 1.4, not compressed, without the points that
+ *  are flagged withheld, which a warning counts; degrees are refused. The format of a pipe without a known extension, as of /dev/stdin,
+ *  is found from its content. Scaling and shift are done in double precision, then rounded to float; a warning reports where the
+ *  rounding is more than 0.001 mm. Nothing else is changed: not-a-number points and duplicates stay. Columns nx ny nz, or normal_x
+ *  normal_y normal_z, of a .pcd, .ply or text file are read as normals. \throw FileError with the line or byte and the reason: missing,
+ *  a folder, empty, cut off, not a number, no x y z, degrees, text in UTF-16, unknown extension; for .laz and .e57 with a command that
+ *  converts them */
 Scan readCloud(const std::string& file, const ReadOptions& options = {});
 
 } // namespace pcl_spiral

@@ -2,6 +2,7 @@
 #include "shop_lines.h"
 #include "yaml_settings.h"
 
+#include "io/byte_file.h"
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
@@ -153,11 +154,12 @@ readMachine(const std::string& file)
 {
   if (std::filesystem::is_directory(file))
     throw FileError(file, "this is a folder, not a machine file");
-  if (!std::filesystem::is_regular_file(file))
+  if (!std::filesystem::exists(file))
     throw FileError(file, "there is no such machine file; check the name and the folder");
+  const std::string text = readBytes(file);
   Machine machine;
   try {
-    machine = machineFrom(file, YAML::LoadFile(file));
+    machine = machineFrom(file, YAML::Load(text));
   }
   catch (const YAML::Exception& error) {
     throw FileError(file, error.what());

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "face_list.h"
+#include "found_format.h"
 #include "io/byte_file.h"
 #include "polygon_cut.h"
 #include "scaled_points.h"
+#include "text_encoding.h"
 
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
@@ -20,11 +22,11 @@ using Points = pcl::PointCloud<pcl::PointXYZ>;
 constexpr std::size_t most_ear_corners = 20000; ///< the time grows with the square: 2 s for this number
 
 MeshTable
-readTable(const std::string& file, const std::string& extension)
+readTable(const std::string& file, const std::string& bytes, const std::string& extension)
 {
-  const std::string bytes = readBytes(file);
   if (extension == ".stl")
     return readStlMesh(file, bytes);
+  refuseWideText(file, bytes);
   if (extension == ".obj")
     return readObjMesh(file, bytes);
   return readPlyMesh(file, bytes);
@@ -140,12 +142,15 @@ readMesh(const std::string& file, const ReadOptions& options)
 {
   const std::string extension = lowerExtension(file);
   const auto& known = meshExtensions();
-  if (std::find(known.begin(), known.end(), extension) == known.end())
+  if (std::find(known.begin(), known.end(), extension) == known.end() && !isNameless(file))
     throw FileError(file,
                     "extension '" + extension + "' is not known for a mesh; use .stl .obj or .ply, or read points as a scan (readCloud)");
   if (!options.columns.empty())
     throw FileError(file, "only the columns of text files can be named; leave ReadOptions::columns out");
-  const MeshTable table = readTable(file, extension);
+  if (options.skip_lines > 0)
+    throw FileError(file, "only lines of text files can be skipped; leave ReadOptions::skip_lines out");
+  const std::string bytes = readStream(file);
+  const MeshTable table = readTable(file, bytes, formatOf(file, bytes, known));
   if (table.faces.ends.empty())
     throw FileError(file, "holds no faces, only " + std::to_string(table.vertices[0].size()) +
                               " points; give it as a scan (readCloud), or export the mesh with its faces");

@@ -3,6 +3,7 @@
 
 #include <pcl_spiral/io/file_error.h>
 
+#include <algorithm>
 #include <map>
 
 namespace pcl_spiral {
@@ -95,6 +96,26 @@ PlyElement::propertyNames() const
   for (const PlyProperty& property : properties)
     names.push_back(property.name);
   return names;
+}
+
+bool
+PlyElement::hasLists() const
+{
+  return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& property) { return property.list; });
+}
+
+bool
+beginsWithRecord(const PlyHeader& header, LineScanner lines)
+{
+  std::string_view line;
+  while (lines.next(line) && line.empty())
+    continue;
+  std::vector<std::string_view> words;
+  splitWords(line, ' ', words);
+  for (const PlyElement& element : header.elements)
+    if (element.count > 0)
+      return element.hasLists() ? words.size() >= element.properties.size() : words.size() == element.properties.size();
+  return false;
 }
 
 PlyHeader

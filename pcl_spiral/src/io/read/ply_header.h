@@ -25,6 +25,7 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 
   std::vector<std::string> propertyNames() const;
+  bool hasLists() const;
 };
 
 struct PlyHeader {
@@ -32,6 +33,9 @@ struct PlyHeader {
   bool ascii = true;
   bool swapped = false; ///< binary in the other byte order
 };
+
+/** Whether the next line of \p lines holds one record of the first element, as far as its number of words tells. */
+bool beginsWithRecord(const PlyHeader& header, LineScanner lines);
 
 /** Reads up to end_header; \p lines is then at the next line. \throw FileError */
 PlyHeader readPlyHeader(const std::string& file, LineScanner& lines);

@@ -2,6 +2,7 @@
 #include <pcl_spiral/io/polygon_reader.h>
 
 #include "../byte_file.h"
+#include "text_encoding.h"
 #include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -17,13 +18,12 @@ namespace {
 std::vector<double>
 numbersOf(const std::string& file, std::string_view line, std::size_t at)
 {
-  const char separator = line.find(';') != std::string_view::npos ? ';' : line.find(',') != std::string_view::npos ? ',' : ' ';
   std::vector<std::string_view> words;
-  splitWords(line, separator, words);
+  splitWords(line, separatorOf(line), words);
   std::vector<double> numbers;
   for (const std::string_view word : words) {
-    const auto number = toNumber(word);
-    if (!number && numbers.empty() && sameWord(word, "x"))
+    const auto number = toNumber(unquoted(word));
+    if (!number && numbers.empty() && sameWord(unquoted(word), "x"))
       return {};
     if (!number || !std::isfinite(*number))
       throw FileError(file, atLine(at, quoted(word) + " is not a number; write one corner per line as x y or x y z"));
@@ -40,6 +40,7 @@ Prism
 readPolygon(const std::string& file, const ReadOptions& options)
 {
   const auto bytes = readBytes(file);
+  refuseWideText(file, bytes);
   std::vector<Eigen::Vector3d> corners;
   std::size_t columns = 0;
   LineScanner lines({bytes.data(), bytes.size()});

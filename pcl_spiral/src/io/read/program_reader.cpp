@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "control_program.h"
+#include "text_encoding.h"
 #include "text_scan.h"
 
 #include "io/byte_file.h"
@@ -47,7 +48,9 @@ requireMadeFor(const std::string& file, std::string_view text, const Machine& ma
 ProgramFile
 readProgram(const std::string& file, const std::optional<Machine>& machine, std::optional<Dialect> dialect)
 {
-  const std::string extension = lowerExtension(file), text = readBytes(file);
+  const std::string extension = lowerExtension(file), bytes = readBytes(file);
+  refuseWideText(file, bytes);
+  const std::string text = bytes.substr(utf8Mark(bytes));
   if (extension == ".apt" || extension == ".cls") {
     ProgramFile result = readAPT(file, text, machine.value_or(xyzacTrunnion()), machine.has_value());
     result.language = "apt";

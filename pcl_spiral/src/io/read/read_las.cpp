@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "field_layout.h"
+#include "found_degrees.h"
+#include "las_projection.h"
 #include "point_table.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -14,24 +16,53 @@ namespace {
 // the point formats 0 to 10 a record begins with x y z as whole numbers, for all versions from 1.0.
 
 constexpr std::size_t least_header = 227; ///< bytes, of versions 1.0 to 1.2
+constexpr std::size_t flags_at = 15;      ///< byte in a record, of all formats
 constexpr FieldType u1{'U', 1}, u2{'U', 2}, u4{'U', 4}, u8{'U', 8}, i4{'I', 4}, real{'F', 8};
 
 class LasFile {
 public:
   LasFile(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes) { check(); }
 
+  /** Points that are flagged withheld are not read. */
   PointTable read() const
   {
-    PointTable table(3, std::vector<double>(count_));
+    std::vector<const char*> records;
+    records.reserve(count_);
+    for (std::size_t i = 0; i < count_; ++i)
+      if (const char* const record = bytes_.data() + begin_ + i * size_; (record[flags_at] & withheld_) == 0)
+        records.push_back(record);
+    if (records.empty())
+      throw FileError(file_, "all of its " + std::to_string(count_) +
+                                 " points are flagged withheld, which means that they are not part of "
+                                 "the scan; clear the flags, or export it again");
+    PointTable table(3, std::vector<double>(records.size()));
     for (std::size_t c = 0; c < 3; ++c) {
-      const double scale = loadField(bytes_.data() + 131 + 8 * c, real), offset = loadField(bytes_.data() + 155 + 8 * c, real);
-      for (std::size_t i = 0; i < count_; ++i)
-        table[c][i] = scale * loadField(bytes_.data() + begin_ + i * size_ + 4 * c, i4) + offset;
+      const double offset = loadField(bytes_.data() + 155 + 8 * c, real);
+      for (std::size_t i = 0; i < records.size(); ++i)
+        table[c][i] = scale(c) * loadField(records[i] + 4 * c, i4) + offset;
     }
+    requireLengths(table);
     return table;
   }
 
+  std::size_t count() const { return count_; }
+
 private:
+  double scale(std::size_t axis) const { return loadField(bytes_.data() + 131 + 8 * axis, real); }
+
+  /** \throw FileError if x and y are degrees, by what the file says or by steps that only degrees need */
+  void requireLengths(const PointTable& table) const
+  {
+    constexpr double degree_step = 1e-6, height_steps = 100.0; // 0.1 m; x and y finer than z
+    const LasCoordinates named = lasCoordinates(bytes_);
+    if (named == LasCoordinates::Degrees)
+      throw FileError(file_, "its coordinates, by the geographic coordinate system that it names, " + degreesRemedy(file_, table, true));
+    const double finest = std::max(scale(0), scale(1));
+    const bool fine = finest <= degree_step && scale(2) >= height_steps * finest && canBeDegrees(table);
+    if (named == LasCoordinates::Unknown && (fine || looksLikeDegrees(table)))
+      throw FileError(file_, "names no coordinate system, but its coordinates, by their ranges, " + degreesRemedy(file_, table, false));
+  }
+
   std::size_t whole(std::size_t at, FieldType type) const
   {
     constexpr double most = 1e15; // more than any file has
@@ -50,6 +81,7 @@ private:
     if (major != 1 || minor > 4 || format >= least_sizes.size())
       throw FileError(file_, "is LAS " + std::to_string(major) + "." + std::to_string(minor) + " with points of format " +
                                  std::to_string(format) + "; versions 1.0 to 1.4 with formats 0 to 10 are read; export it as one of these");
+    withheld_ = format < 6 ? 0x80U : 0x04U; // tables 8 and 16
     begin_ = whole(96, u4);
     size_ = whole(105, u2);
     if (size_ < least_sizes[format])
@@ -68,14 +100,20 @@ private:
   const std::string& file_;
   std::string_view bytes_;
   std::size_t begin_ = 0, size_ = 0, count_ = 0;
+  unsigned withheld_ = 0; ///< bit in the byte of the flags
 };
 
 } // namespace
 
 PointTable
-readLasTable(const std::string& file, std::string_view bytes)
+readLasTable(const std::string& file, std::string_view bytes, std::vector<std::string>& warnings)
 {
-  return LasFile(file, bytes).read();
+  const LasFile las(file, bytes);
+  PointTable table = las.read();
+  if (const std::size_t withheld = las.count() - table[0].size(); withheld > 0)
+    warnings.push_back(file + ": " + std::to_string(withheld) + " of " + std::to_string(las.count()) + " points " +
+                       (withheld == 1 ? "is" : "are") + " flagged withheld and " + (withheld == 1 ? "was" : "were") + " left out");
+  return table;
 }
 
 } // namespace pcl_spiral

@@ -9,11 +9,11 @@
 namespace pcl_spiral {
 namespace {
 
-/** Whether the line is of this kind: a letter and a space. */
+/** Whether the line is of this kind: a letter, and a space or a backslash that continues it. */
 bool
 startsWith(std::string_view line, char kind)
 {
-  return line.size() > 1 && line[0] == kind && (line[1] == ' ' || line[1] == '\t');
+  return line.size() > 1 && line[0] == kind && (line[1] == ' ' || line[1] == '\t' || (line.size() == 2 && line[1] == '\\'));
 }
 
 void
@@ -47,21 +47,35 @@ vertexOf(const std::string& file, std::string_view word, std::size_t number, std
   return value > 0 ? value - 1 : so_far + value;
 }
 
-/** One line of a face; a backslash at its end continues it on the next. */
+/** Whether the line goes on below it: a backslash is at its end. */
+bool
+isContinued(std::string_view line)
+{
+  return !line.empty() && line.back() == '\\';
+}
+
+/** Calls \p take for the words of a line without its comment, and for those of the lines that continue it. */
+template <typename Take>
+void
+forWords(LineScanner& lines, std::string_view line, const Take& take)
+{
+  std::vector<std::string_view> words;
+  for (bool more = true; more;) {
+    line = line.substr(0, line.find('#'));
+    more = isContinued(line);
+    splitWords(more ? line.substr(0, line.size() - 1) : line, ' ', words);
+    for (const std::string_view word : words)
+      take(word);
+    more = more && lines.next(line);
+  }
+}
+
 void
 takeFace(const std::string& file, LineScanner& lines, std::string_view line, std::size_t vertices, FaceList& faces)
 {
   const std::size_t first = lines.number();
-  std::vector<std::string_view> words;
   line.remove_prefix(1);
-  for (bool more = true; more;) {
-    line = line.substr(0, line.find('#'));
-    more = !line.empty() && line.back() == '\\';
-    splitWords(more ? line.substr(0, line.size() - 1) : line, ' ', words);
-    for (const std::string_view word : words)
-      faces.corners.push_back(vertexOf(file, word, lines.number(), vertices));
-    more = more && lines.next(line);
-  }
+  forWords(lines, line, [&](std::string_view word) { faces.corners.push_back(vertexOf(file, word, lines.number(), vertices)); });
   faces.close(first);
 }
 
@@ -75,8 +89,14 @@ readObj(const std::string& file, std::string_view bytes, FaceList* faces)
   std::vector<std::string_view> words;
   while (lines.next(line)) {
     if (startsWith(line, 'v')) {
-      splitWords(line, ' ', words);
-      takeVertex(file, words, lines.number(), table);
+      const std::size_t number = lines.number();
+      if (isContinued(line)) {
+        words.clear();
+        forWords(lines, line, [&words](std::string_view word) { words.push_back(word); });
+      }
+      else
+        splitWords(line, ' ', words);
+      takeVertex(file, words, number, table);
     }
     else if (faces && (startsWith(line, 'f') || line == "f"))
       takeFace(file, lines, line, table[0].size(), *faces);

@@ -153,7 +153,7 @@ private:
       const bool whole = (field.type.kind == 'I' || field.type.kind == 'U') && (size == 1 || size == 2 || size == 4 || size == 8);
       if (!real && !whole)
         fail("the header has a field of TYPE " + std::string(1, field.type.kind) + " SIZE " + std::to_string(size));
-      if (field.count == 0 || field.count > most_values)
+      if (field.count > most_values)
         fail("the header has a field of COUNT " + std::to_string(field.count));
       field.offset = header_.bytes_a_point;
       field.position = header_.words_a_point;
@@ -204,6 +204,25 @@ readAscii(const std::string& file, std::string_view bytes, const PcdHeader& head
     throw FileError(file, atLine(header.lines + lines.number(), "the file ends after " + std::to_string(table[0].size()) + " of " +
                                                                     std::to_string(header.points) + " points; copy or export it again"));
   return table;
+}
+
+Names
+namesWithValues(const PcdHeader& header)
+{
+  Names names;
+  for (std::size_t f = 0; f < header.fields.size(); ++f)
+    if (header.fields[f].count > 0)
+      names.push_back(header.names[f]);
+  return names;
+}
+
+/** Fields of COUNT 0 have no values, as in PCL; those that are wanted need one. */
+void
+requireValues(const std::string& file, const PcdHeader& header, const std::vector<std::size_t>& wanted)
+{
+  for (const std::size_t f : wanted)
+    if (header.fields[f].count == 0)
+      throw FileError(file, "has no values of '" + header.names[f] + "': the header gives it COUNT 0; export it again");
 }
 
 /** The body of a compressed file: all values of one field, then all values of the next. */
@@ -259,8 +278,9 @@ PointTable
 readPcdTable(const std::string& file, std::string_view bytes, const Names& wanted, NormalColumns normals)
 {
   const PcdHeader header = PcdHeaderReader(file, bytes).read();
-  const Names names = normals == NormalColumns::Read ? withNormals(header.names, wanted) : wanted;
+  const Names names = normals == NormalColumns::Read ? withNormals(namesWithValues(header), wanted) : wanted;
   const std::vector<std::size_t> fields = columnsOf(file, header.names, names);
+  requireValues(file, header, fields);
   if (header.data == "ascii")
     return readAscii(file, bytes, header, fields);
   if (header.data == "binary_compressed")

@@ -18,16 +18,25 @@ namespace {
 constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max();
 const Names face_lists{"vertex_indices", "vertex_index"};
 
+/** How an ascii file is read: as words, wherever its lines end, as the format is meant; or one record per line, which may have more words
+ *  than the header names. */
+enum class AsciiRows { Words, Lines };
+
 /** Reads a PLY file: ascii, or binary of either byte order. */
 class PlyTable {
 public:
   /** Faces are read if a list for them is given, otherwise skipped. */
   PlyTable(const std::string& file, std::string_view bytes, const Names& wanted, FaceList* faces, NormalColumns normals)
   : file_(file), bytes_(bytes), wanted_(wanted), normals_(normals), lines_(bytes), header_(readPlyHeader(file, lines_)),
-    at_(lines_.position()), faces_(faces)
+    scanner_(bytes, lines_), at_(lines_.position()), faces_(faces)
   {}
 
-  PointTable read()
+  bool isAscii() const { return header_.ascii; }
+
+  /** Whether the first line of an ascii file holds one record. */
+  bool hasRecordPerLine() const { return beginsWithRecord(header_, lines_); }
+
+  PointTable read(AsciiRows rows)
   {
     bool found = false;
     for (const PlyElement& element : header_.elements) {
@@ -39,11 +48,15 @@ public:
       else if (faces_ && element.count > 0)
         settleFaces(element);
       found = found || vertices;
-      if (element.properties.empty() && !header_.ascii) // elements without data, in any number
+      const bool by_lines = header_.ascii && rows == AsciiRows::Lines;
+      if (element.properties.empty() && !by_lines) // elements without data, in any number
         continue;
       for (std::size_t i = 0; i < element.count; ++i)
-        header_.ascii ? readLine(element, vertices, i) : readRecord(element, i);
+        by_lines ? readLine(element, vertices, i) : header_.ascii ? readWords(element, vertices, i) : readRecord(element, i);
     }
+    if (std::string_view word; header_.ascii && rows == AsciiRows::Words && scanner_.next(word))
+      throw FileError(file_,
+                      atLine(scanner_.number(), quoted(word) + " comes after the last value that the header names; export it again"));
     if (!found || table_[0].empty())
       throw FileError(file_, "holds no vertices; export it again");
     return std::move(table_);
@@ -118,13 +131,45 @@ private:
     }
   }
 
-  double numberIn(std::size_t word) const
+  /** One record of a file that is a stream of words. */
+  void readWords(const PlyElement& element, bool vertices, std::size_t i)
   {
-    const std::optional<double> value = toNumber(words_[word]);
+    const bool wanted = vertices || list_of_faces_ < element.properties.size();
+    std::size_t first = 0; // line of the record
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const bool list = element.properties[p].list;
+      const std::string_view word = nextWord(element, i);
+      first = p == 0 ? scanner_.number() : first;
+      if (!wanted && !list)
+        continue;
+      const double value = numberIn(word, scanner_.number());
+      if (column_of_[p] != no_column)
+        table_[column_of_[p]].push_back(value);
+      for (std::size_t left = list ? listSize(value) : 0; left > 0; --left)
+        if (const std::string_view corner = nextWord(element, i); p == list_of_faces_)
+          takeCorner(numberIn(corner, scanner_.number()), scanner_.number());
+      if (p == list_of_faces_)
+        faces_->close(first);
+    }
+  }
+
+  std::string_view nextWord(const PlyElement& element, std::size_t i)
+  {
+    std::string_view word;
+    if (!scanner_.next(word))
+      failEnd(element, i);
+    return word;
+  }
+
+  double numberIn(std::string_view word, std::size_t line) const
+  {
+    const std::optional<double> value = toNumber(word);
     if (!value)
-      failLine(quoted(words_[word]) + " is not a number");
+      throw FileError(file_, atLine(line, quoted(word) + " is not a number"));
     return *value;
   }
+
+  double numberIn(std::size_t word) const { return numberIn(words_[word], lines_.number()); }
 
   void takeFaceWords(std::size_t first, std::size_t count)
   {
@@ -196,6 +241,7 @@ private:
   LineScanner lines_;
   std::vector<std::string_view> words_;
   PlyHeader header_;
+  WordScanner scanner_;
   std::vector<std::size_t> column_of_; ///< for each property of the element, the wanted column, or no_column
   std::size_t list_of_faces_ = 0;      ///< the property of the element that lists corners; the number of properties for none
   PointTable table_;
@@ -203,19 +249,44 @@ private:
   FaceList* faces_;
 };
 
+/** An ascii file that is no exact stream of words may still have one record per line, with words that its header does not name. */
+PointTable
+readPly(const std::string& file, std::string_view bytes, const Names& wanted, FaceList* faces, NormalColumns normals)
+{
+  PlyTable table(file, bytes, wanted, faces, normals);
+  if (!table.isAscii())
+    return table.read(AsciiRows::Words);
+  const bool by_lines = table.hasRecordPerLine();
+  try {
+    return table.read(AsciiRows::Words);
+  }
+  catch (const FileError& of_words) {
+    if (faces)
+      *faces = {};
+    try {
+      return PlyTable(file, bytes, wanted, faces, normals).read(AsciiRows::Lines);
+    }
+    catch (const FileError&) {
+      if (by_lines) // what is wrong in a line tells more
+        throw;
+      throw of_words;
+    }
+  }
+}
+
 } // namespace
 
 PointTable
 readPlyTable(const std::string& file, std::string_view bytes, const Names& wanted, NormalColumns normals)
 {
-  return PlyTable(file, bytes, wanted, nullptr, normals).read();
+  return readPly(file, bytes, wanted, nullptr, normals);
 }
 
 MeshTable
 readPlyMesh(const std::string& file, std::string_view bytes)
 {
   MeshTable mesh;
-  mesh.vertices = PlyTable(file, bytes, {"x", "y", "z"}, &mesh.faces, NormalColumns::Leave).read();
+  mesh.vertices = readPly(file, bytes, {"x", "y", "z"}, &mesh.faces, NormalColumns::Leave);
   return mesh;
 }
 

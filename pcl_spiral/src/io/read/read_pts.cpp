@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "point_table.h"
+#include "text_encoding.h"
+#include "text_lead.h"
 #include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -14,37 +16,49 @@ takePoint(const std::string& file, const std::vector<std::string_view>& words, s
   if (words.size() < 3)
     throw FileError(file, atLine(number, std::to_string(words.size()) + " column(s), but x, y, z are needed; is the file cut off?"));
   for (std::size_t c = 0; c < 3; ++c) {
-    const std::optional<double> value = toNumber(words[c]);
+    const std::optional<double> value = toNumber(unquoted(words[c]));
     if (!value)
       throw FileError(file, atLine(number, quoted(words[c]) + " is not a number"));
     table[c].push_back(*value);
   }
 }
 
+/** Whether the words of a line above the first number of points are a title or a comment. */
+bool
+isTitle(const std::vector<std::string_view>& words)
+{
+  return !toNumber(unquoted(words[0]));
+}
+
 } // namespace
 
 PointTable
-readPtsTable(const std::string& file, std::string_view bytes)
+readPtsTable(const std::string& file, std::string_view bytes, const TextLayout& layout)
 {
+  refuseWideText(file, bytes);
   PointTable table(3);
   LineScanner lines(bytes);
   std::string_view line;
   std::vector<std::string_view> words;
+  std::vector<std::string> titles;
   std::size_t left = 0; // points of the block that a count has announced
   while (lines.next(line)) {
-    if (line.empty())
+    if (line.empty() || lines.number() <= layout.skipped)
       continue;
-    splitWords(line, ' ', words);
+    splitWords(line, separatorOf(line), words);
     if (left > 0) {
       takePoint(file, words, lines.number(), table);
       --left;
       continue;
     }
-    const std::optional<std::size_t> count = words.size() == 1 ? toCount(words[0]) : std::nullopt;
-    if (!count)
+    const std::optional<std::size_t> count = words.size() == 1 ? toCount(unquoted(words[0])) : std::nullopt;
+    if (count)
+      left = *count;
+    else if (table[0].empty() && isTitle(words))
+      titles.push_back(atLine(lines.number(), quoted(line)));
+    else
       throw FileError(file, atLine(lines.number(), quoted(line) + " must be the number of points that follow; if the file has no such "
                                                                   "line, rename it to .xyz, or correct the number before it"));
-    left = *count;
   }
   if (left > 0)
     throw FileError(file, "ends " + std::to_string(left) +
@@ -52,6 +66,8 @@ readPtsTable(const std::string& file, std::string_view bytes)
                               "export it again");
   if (table[0].empty())
     throw FileError(file, "holds no points (" + std::to_string(lines.number()) + " lines)");
+  if (const std::string warning = titleWarning(titles); layout.warnings && !warning.empty())
+    layout.warnings->push_back(file + ": " + warning);
   return table;
 }
 

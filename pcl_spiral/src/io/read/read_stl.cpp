@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "face_list.h"
 #include "field_layout.h"
+#include "text_encoding.h"
 #include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -67,14 +69,19 @@ triangleCount(std::string_view bytes)
   return static_cast<std::size_t>(loadAs<std::uint32_t>(bytes.data() + 80));
 }
 
+bool
+hasBinarySize(std::string_view bytes)
+{
+  return bytes.size() > header_bytes && bytes.size() == header_bytes + triangleCount(bytes) * triangle_bytes;
+}
+
 /** Some programs also begin binary files with "solid"; the file size for their count identifies them. */
 bool
 isText(std::string_view bytes)
 {
-  if (!sameWord(trimmed(bytes.substr(0, 256)).substr(0, 5), "solid"))
-    return false;
-  const bool binary_size = bytes.size() > header_bytes && bytes.size() == header_bytes + triangleCount(bytes) * triangle_bytes;
-  return !binary_size && bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+  const std::string_view text = bytes.substr(utf8Mark(bytes));
+  const std::string_view word = text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size()), 5);
+  return sameWord(word, "solid") && !hasBinarySize(bytes) && bytes.substr(0, 1024).find('\0') == std::string_view::npos;
 }
 
 PointTable
@@ -167,10 +174,20 @@ readText(const std::string& file, std::string_view bytes, FaceList* faces)
 PointTable
 readStl(const std::string& file, std::string_view bytes, FaceList* faces)
 {
-  return isText(bytes) ? readText(file, bytes, faces) : readBinary(file, bytes, faces);
+  if (isText(bytes))
+    return readText(file, bytes, faces);
+  if (!hasBinarySize(bytes))
+    refuseWideText(file, bytes);
+  return readBinary(file, bytes, faces);
 }
 
 } // namespace
+
+bool
+isStl(std::string_view bytes)
+{
+  return isText(bytes) || hasBinarySize(bytes);
+}
 
 PointTable
 readStlTable(const std::string& file, std::string_view bytes)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "point_table.h"
+#include "text_encoding.h"
+#include "text_lead.h"
 #include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -35,21 +37,12 @@ find(const Names& names, const std::string& name)
   return static_cast<std::size_t>(std::find_if(names.begin(), names.end(), same) - names.begin());
 }
 
-char
-separatorOf(std::string_view line)
-{
-  return line.find(';') != std::string_view::npos ? ';' : line.find(',') != std::string_view::npos ? ',' : ' ';
-}
-
 Names
-unquoted(const std::vector<std::string_view>& words)
+namesIn(const std::vector<std::string_view>& words)
 {
   Names names;
-  for (std::string_view word : words) {
-    if (word.size() >= 2 && (word.front() == '"' || word.front() == '\'') && word.back() == word.front())
-      word = word.substr(1, word.size() - 2);
-    names.emplace_back(word);
-  }
+  for (const std::string_view word : words)
+    names.emplace_back(unquoted(word));
   return names;
 }
 
@@ -57,15 +50,17 @@ unquoted(const std::vector<std::string_view>& words)
 bool
 isHeading(std::string_view word)
 {
-  const auto letter = [](unsigned char c) { return std::isalpha(c) || c == '"' || c == '_'; };
+  const auto letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
+  word = unquoted(word);
   return !toNumber(word) && std::any_of(word.begin(), word.end(), letter);
 }
 
 /** Reads a text of points line by line. */
 class TextTable {
 public:
-  TextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns, NormalColumns normals)
-  : file_(file), bytes_(bytes), wanted_(wanted), names_(columns), normals_(normals), named_by_user_(!columns.empty())
+  TextTable(const std::string& file, std::string_view bytes, const Names& wanted, const TextLayout& layout, NormalColumns normals)
+  : file_(file), bytes_(bytes), wanted_(wanted), names_(layout.columns), normals_(normals), layout_(layout),
+    lead_(leadOf(bytes, layout.skipped, wanted))
   {}
 
   PointTable read()
@@ -75,7 +70,7 @@ public:
     std::string_view line;
     while (lines.next(line)) {
       const std::size_t comment = line.substr(0, 2) == "//" ? 2 : line.substr(0, 1) == "#" ? 1 : 0;
-      if (line.empty())
+      if (line.empty() || isPassedOver(lines.number()))
         continue;
       if (comment > 0)
         takeCommentedHeader(trimmed(line.substr(comment)));
@@ -83,18 +78,41 @@ public:
         takeLine(line, lines.number());
     }
     if (table_.empty() || table_[0].empty())
-      throw FileError(file_, "holds no points (" + std::to_string(lines.number()) + " lines)");
+      throw FileError(file_, "holds no points (" + std::to_string(lines.number()) + " lines" +
+                                 (layout_.skipped > 0 ? ", the first " + std::to_string(layout_.skipped) + " skipped)" : ")"));
+    checkLead();
     return std::move(table_);
   }
 
 private:
-  void checkText()
+  void checkText() const
   {
-    if (bytes_.substr(0, 3) == "\xEF\xBB\xBF")
-      bytes_.remove_prefix(3);
+    refuseWideText(file_, bytes_);
     const std::size_t zero = bytes_.find('\0');
     if (zero != std::string_view::npos)
       throw FileError(file_, "byte " + std::to_string(zero) + ": this is not a text file; write it as plain text (UTF-8)");
+  }
+
+  bool isPassedOver(std::size_t number) const
+  {
+    const std::vector<std::size_t>& passed = lead_.passed;
+    return number <= layout_.skipped ||
+           (!passed.empty() && number <= passed.back() && std::binary_search(passed.begin(), passed.end(), number));
+  }
+
+  /** The number of points that a line gives must be theirs. */
+  void checkLead() const
+  {
+    const std::size_t there = table_[0].size();
+    if (lead_.count_line > 0 && lead_.count != static_cast<double>(there))
+      throw FileError(file_, atLine(lead_.count_line, "this should be the number of points, " + wholeNumber(lead_.count) + ", but " +
+                                                          std::to_string(there) +
+                                                          " follow: if the file is cut off, copy or export it "
+                                                          "again; if the line means something else, skip the lines up to it "
+                                                          "(ReadOptions::skip_lines " +
+                                                          std::to_string(lead_.count_line) + ")"));
+    if (const std::string warning = titleWarning(lead_.titles); layout_.warnings && !warning.empty())
+      layout_.warnings->push_back(file_ + ": " + warning);
   }
 
   /** "# x y z" or "//X Y Z" above the points names the columns; many programs write this. */
@@ -103,10 +121,8 @@ private:
     if (started_ || !names_.empty())
       return;
     splitWords(line, separatorOf(line), words_);
-    const Names names = unquoted(words_);
-    const auto known = [&](const std::string& name) { return find(names, name) < names.size(); };
-    if (std::all_of(wanted_.begin(), wanted_.end(), known))
-      names_ = names;
+    if (namesAll(words_, wanted_))
+      names_ = namesIn(words_);
   }
 
   void takeLine(std::string_view line, std::size_t number)
@@ -127,16 +143,18 @@ private:
   void start(bool header, std::size_t number)
   {
     started_ = true;
-    if (header && !named_by_user_)
-      names_ = unquoted(words_);
+    const bool named_by_user = !layout_.columns.empty();
+    const std::string or_skip = "; if it is no point, skip it (ReadOptions::skip_lines " + std::to_string(number) + ")";
+    if (header && !named_by_user)
+      names_ = namesIn(words_);
     if (words_.size() < wanted_.size())
       throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), but " + joined(wanted_) +
-                                                " are needed; see ReadOptions::columns"));
+                                                " are needed; see ReadOptions::columns" + or_skip));
     if (names_.empty())
       names_ = wanted_;
-    if (header && !named_by_user_ && find(names_, wanted_[0]) == names_.size())
+    if (header && !named_by_user && find(names_, wanted_[0]) == names_.size())
       throw FileError(file_, atLine(number, quoted(words_[0]) + " is neither a number nor a heading with " + joined(wanted_) +
-                                                "; name the columns (ReadOptions::columns)"));
+                                                "; name the columns (ReadOptions::columns)" + or_skip));
     if (normals_ == NormalColumns::Read)
       wanted_ = withNormals(names_, wanted_);
     positions_ = columnsOf(file_, names_, wanted_);
@@ -154,10 +172,10 @@ private:
       throw FileError(file_, atLine(number, std::to_string(words_.size()) + " columns, but the lines before have " +
                                                 std::to_string(width_) + "; is the file cut off?"));
     for (std::size_t c = 0; c < positions_.size(); ++c) {
-      const std::string_view word = words_[positions_[c]];
+      const std::string_view word = unquoted(words_[positions_[c]]);
       const std::optional<double> value = toNumber(word);
       if (!value) {
-        const bool comma = word.find_first_of(", \t") != std::string_view::npos;
+        const bool comma = word.find_first_of(", \t") != std::string_view::npos || word.substr(0, 1) == "\""; // "1,5" is cut at its comma
         throw FileError(file_,
                         atLine(number, quoted(word) + " is not a number" + (comma ? "; write decimals with a point, not a comma" : "")));
       }
@@ -170,7 +188,8 @@ private:
   Names wanted_;
   Names names_;
   NormalColumns normals_;
-  bool named_by_user_;
+  TextLayout layout_;
+  TextLead lead_;
   bool started_ = false;
   char separator_ = ' ';
   std::size_t width_ = 0;
@@ -206,9 +225,9 @@ columnsOf(const std::string& file, const Names& names, const Names& wanted)
 }
 
 PointTable
-readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const Names& columns, NormalColumns normals)
+readTextTable(const std::string& file, std::string_view bytes, const Names& wanted, const TextLayout& layout, NormalColumns normals)
 {
-  return TextTable(file, bytes, wanted, columns, normals).read();
+  return TextTable(file, bytes, wanted, layout, normals).read();
 }
 
 } // namespace pcl_spiral

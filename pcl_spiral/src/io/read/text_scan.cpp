@@ -17,6 +17,29 @@ isBlank(char c)
 
 } // namespace
 
+std::size_t
+utf8Mark(std::string_view text)
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.substr(0, mark.size()) == mark ? mark.size() : 0;
+}
+
+LineScanner::LineScanner(std::string_view text) : text_(text), position_(utf8Mark(text)) {}
+
+bool
+WordScanner::next(std::string_view& word)
+{
+  const auto ends = [](char c) { return c == '\n' || c == '\r'; };
+  for (; position_ < text_.size() && (isBlank(text_[position_]) || ends(text_[position_])); ++position_)
+    if (text_[position_] == '\n' || (text_[position_] == '\r' && text_.substr(position_ + 1, 1) != "\n"))
+      ++number_;
+  const std::size_t begin = position_;
+  while (position_ < text_.size() && !isBlank(text_[position_]) && !ends(text_[position_]))
+    ++position_;
+  word = text_.substr(begin, position_ - begin);
+  return !word.empty();
+}
+
 bool
 LineScanner::next(std::string_view& line)
 {
@@ -63,6 +86,20 @@ splitWords(std::string_view line, char separator, std::vector<std::string_view>&
     if (i > begin)
       words.push_back(line.substr(begin, i - begin));
   }
+}
+
+std::string_view
+unquoted(std::string_view word)
+{
+  if (word.size() >= 2 && (word.front() == '"' || word.front() == '\'') && word.back() == word.front())
+    return trimmed(word.substr(1, word.size() - 2));
+  return word;
+}
+
+char
+separatorOf(std::string_view line)
+{
+  return line.find(';') != std::string_view::npos ? ';' : line.find(',') != std::string_view::npos ? ',' : ' ';
 }
 
 bool

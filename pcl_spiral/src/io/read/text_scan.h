@@ -12,10 +12,10 @@
 
 namespace pcl_spiral {
 
-/** Reads a text line by line; lines may end in LF, CR LF or CR. */
+/** Reads a text line by line; lines may end in LF, CR LF or CR. The mark of UTF-8 before the first line is passed over. */
 class LineScanner {
 public:
-  explicit LineScanner(std::string_view text) : text_(text) {}
+  explicit LineScanner(std::string_view text);
 
   /** The next line without its end and without spaces around it; false at the end of the text. */
   bool next(std::string_view& line);
@@ -30,12 +30,38 @@ private:
   std::size_t number_ = 0;
 };
 
+/** Reads a text word by word; words are separated by spaces and ends of lines. */
+class WordScanner {
+public:
+  /** \p lines: where to begin; their number counts on. */
+  WordScanner(std::string_view text, const LineScanner& lines) : text_(text), position_(lines.position()), number_(lines.number() + 1) {}
+
+  /** The next word; false at the end of the text. */
+  bool next(std::string_view& word);
+  /** Number of the line of the last word from next, from 1. */
+  std::size_t number() const { return number_; }
+
+private:
+  std::string_view text_;
+  std::size_t position_;
+  std::size_t number_;
+};
+
+/** Bytes of the mark of UTF-8 (byte order mark) that \p text begins with: 3 or 0. */
+std::size_t utf8Mark(std::string_view text);
+
 /** Removes spaces at both ends. */
 std::string_view trimmed(std::string_view text);
 
 /** Words separated by spaces (separator ' ') or by a character; spaces around a word are removed, empty words
  * are kept. */
 void splitWords(std::string_view line, char separator, std::vector<std::string_view>& words);
+
+/** The word without the quotes around it, " or ', and without spaces inside these. */
+std::string_view unquoted(std::string_view word);
+
+/** The separator of the columns of a line: a semicolon, else a comma, else spaces. */
+char separatorOf(std::string_view line);
 
 /** Whether \p word is \p lower in any mixture of upper and lower case. */
 bool sameWord(std::string_view word, std::string_view lower);

@@ -3,6 +3,7 @@
 #include "io/pcd_origin.h"
 #include "point_table.h"
 #include "read_tips.h"
+#include "text_encoding.h"
 #include "text_scan.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -134,6 +135,7 @@ readToolpath(const std::string& file, const Eigen::Vector3d& origin)
   const Names tail{"axis_x", "axis_y", "axis_z", "arc_length", "turn"};
   const auto readColumns = [&](const auto& table_of, Names wanted, const Names& last = {}) {
     const auto bytes = readBytes(file);
+    refuseWideText(file, bytes);
     const Names later = laterColumns(bytes);
     wanted.insert(wanted.end(), tail.begin(), tail.end());
     wanted.insert(wanted.end(), last.begin(), last.end());
