@@ -107,6 +107,41 @@ TEST(SurfaceMesh, TurnsAClosedMeshInsideOut)
   EXPECT_LT(made(mesh, flipped)->faceNormal(0).dot(made(mesh, flipped)->position(made(mesh, flipped)->triangles().triangle(0)[0])), 0.0);
 }
 
+TEST(SurfaceMesh, TurnsAMeshInsideOutWithAMissingFaceOrASliver)
+{
+  TriangleMesh missing = icoSphere(10.0, 2);
+  for (auto& f : missing.faces)
+    std::swap(f[1], f[2]);
+  TriangleMesh sliver = missing;
+  missing.faces.erase(missing.faces.begin() + 17);
+  missing.faces.erase(missing.faces.begin() + 100);
+  EXPECT_TRUE(made(missing)->counts().inside_out);
+  EXPECT_FALSE(made(missing)->counts().closed);
+  // One face becomes two, and a face without area joins the new corner to its edge.
+  const auto whole = sliver.faces[40];
+  const auto middle = static_cast<std::uint32_t>(sliver.vertices.size());
+  sliver.vertices.push_back(0.5 * (sliver.vertices[whole[0]] + sliver.vertices[whole[1]]));
+  sliver.faces[40] = {whole[0], middle, whole[2]};
+  sliver.faces.push_back({middle, whole[1], whole[2]});
+  sliver.faces.push_back({whole[0], whole[1], middle});
+  const auto surface = made(sliver);
+  EXPECT_TRUE(surface->counts().inside_out);
+  for (std::size_t t = 0; t < surface->faceCount(); ++t)
+    ASSERT_GT(surface->faceNormal(t).dot(surface->position(surface->triangles().triangle(t)[0])), 0.0);
+}
+
+TEST(SurfaceMesh, LeavesTheSideOfAnOpenSheet)
+{
+  TriangleMesh half = icoSphere(10.0, 3), outer = half;
+  for (auto& f : half.faces)
+    std::swap(f[1], f[2]);
+  const auto isLow = [&](const auto& f) { return half.vertices[f[0]].z() + half.vertices[f[1]].z() + half.vertices[f[2]].z() < -20.0; };
+  half.faces.erase(std::remove_if(half.faces.begin(), half.faces.end(), isLow), half.faces.end()); // a round pot, to be cut inside
+  EXPECT_FALSE(made(half)->counts().inside_out);
+  outer.faces.erase(outer.faces.begin());
+  EXPECT_FALSE(made(outer)->counts().inside_out);
+}
+
 TEST(SurfaceMesh, OfASphereIsRoundAndItsNormalsExact)
 {
   const auto surface = made(icoSphere(50.0, 3));

@@ -27,15 +27,54 @@ checkSettings(const MeshSettings& settings)
   return Status::success();
 }
 
-/** Six times the volume that the faces enclose, seen from their first corner. */
+/** Sixfold volume of the tetrahedron from \p origin to a face. */
 double
-enclosed(const WeldedFaces& welded)
+volumeTo(const Vector3d& origin, const Vector3d& a, const Vector3d& b, const Vector3d& c)
 {
+  return (a - origin).dot((b - origin).cross(c - origin));
+}
+
+/** The openings of a mesh, each closed by triangles to the middle of its corners. */
+struct Lids {
+  double volume = 0.0;       ///< sixfold, from the first vertex
+  double area = 0.0;         ///< mm^2
+  bool are_triangles = true; ///< each opening has three edges: a face is missing, or had no area
+};
+
+Lids
+lidsOf(const WeldedFaces& welded, const Triangulation& triangles)
+{
+  Lids lids;
+  for (const std::vector<std::uint32_t>& loop : triangles.boundaryLoops()) {
+    Vector3d middle = Vector3d::Zero();
+    for (const std::uint32_t h : loop)
+      middle += welded.positions[triangles.origin(h)] / static_cast<double>(loop.size());
+    for (const std::uint32_t h : loop) {
+      const Vector3d &a = welded.positions[triangles.target(h)], &b = welded.positions[triangles.origin(h)];
+      lids.area += 0.5 * (b - a).cross(middle - a).norm();
+      lids.volume += volumeTo(welded.positions[0], a, b, middle);
+    }
+    lids.are_triangles = lids.are_triangles && loop.size() == 3;
+  }
+  return lids;
+}
+
+/** Whether the faces of a closed mesh all face inwards. So may those of one with small openings, but an open sheet, a bore or a pocket has
+ *  the side that its faces have: the openings may be a hundredth of the area (the mouth of a slot 2 mm wide and 20 mm deep is 0.046 of
+ *  it), or, of three edges each, a tenth (a cube of twelve faces without one has 1/11). */
+bool
+isInsideOut(const WeldedFaces& welded, const Triangulation& triangles)
+{
+  constexpr double small = 0.01, of_triangles = 0.1;
   const Vector3d& origin = welded.positions[0];
-  double sum = 0.0;
-  for (const auto& f : welded.faces)
-    sum += (welded.positions[f[0]] - origin).dot((welded.positions[f[1]] - origin).cross(welded.positions[f[2]] - origin));
-  return sum;
+  double volume = 0.0, area = 0.0;
+  for (const auto& f : welded.faces) {
+    const Vector3d &a = welded.positions[f[0]], &b = welded.positions[f[1]], &c = welded.positions[f[2]];
+    volume += volumeTo(origin, a, b, c);
+    area += 0.5 * (b - a).cross(c - a).norm();
+  }
+  const Lids lids = lidsOf(welded, triangles);
+  return lids.area <= (lids.are_triangles ? of_triangles : small) * area && volume + lids.volume < 0.0;
 }
 
 void
@@ -105,7 +144,7 @@ SurfaceMesh::make(const pcl::PolygonMesh& mesh, const MeshSettings& settings, Co
   turnFaces(welded, made->counts_);
   Triangulation triangles(welded.positions.size(), welded.faces);
   made->counts_.closed = isClosed(triangles);
-  made->counts_.inside_out = made->counts_.closed && enclosed(welded) < 0.0;
+  made->counts_.inside_out = isInsideOut(welded, triangles);
   if (made->counts_.inside_out != settings.flip) {
     turnAll(welded);
     triangles = Triangulation(welded.positions.size(), welded.faces);
