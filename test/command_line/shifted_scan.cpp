@@ -222,6 +222,25 @@ TEST_F(ShiftedScan, WrongUnitIsNamedAndTheRemedyWorks)
   EXPECT_EQ(toolpath({"map.xyz", "--units", "m", "-o", "map.csv"}).code, 0);
 }
 
+TEST_F(ShiftedScan, ABallLargerThanThePartNeedsTheUnit)
+{
+  std::istringstream cap(capScan(2000));
+  std::ostringstream lens; // 8 mm across, of radius 10 mm
+  for (Vector3d p; cap >> p.x() >> p.y() >> p.z();)
+    lens << (0.1 * p).transpose() << '\n';
+  writeText(folder_.path("lens.xyz"), lens.str());
+  const Arguments asked{"lens.xyz", "--tool-radius", "20", "--scallop", "0.1", "-o", "lens.csv"};
+  const RunResult wrong = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, asked, folder_), folder_);
+  EXPECT_EQ(wrong.code, 1);
+  expectHas(wrong.err, "is the scan in metres or inches?");
+  expectHas(wrong.err, "--units mm if the ball is larger than the part");
+  Arguments given = asked;
+  given.insert(given.end(), {"--units", "mm"});
+  const RunResult right = endOf(startProgram(PCL_SPIRAL_TOOLPATH_PROGRAM, given, folder_), folder_);
+  EXPECT_EQ(right.code, 0) << right.err;
+  expectHas(right.err, "less than the tool radius 20 mm");
+}
+
 TEST_F(ShiftedScan, OriginIsSubtractedAsBefore)
 {
   const Arguments job{"map.xyz", "--units", "m", "--method", "radial", "-o", "map.csv", "--origin"};

@@ -100,8 +100,8 @@ checkScale(const Surface& surface, const SpiralSettings& settings, std::vector<s
   const SurfaceGraph& graph = surface.graph();
   const double across = graph.blocks().box().diagonal();
   if (across < settings.tool_radius)
-    return {StatusCode::InvalidInput, textOf("the whole scan is ", across, " mm across, less than the tool radius ", settings.tool_radius,
-                                             " mm: is the scan in metres or inches? Scale it to mm")};
+    warnings.push_back(textOf("the whole scan is ", across, " mm across, less than the tool radius ", settings.tool_radius,
+                              " mm: if it is in metres or inches, scale it to mm"));
   const double area = surfaceArea(graph);
   for (const std::string& warning : scanWarnings(graph, settings))
     warnings.push_back(warning);

@@ -14,6 +14,8 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -83,6 +85,24 @@ leanOf(const SpiralSettings& s)
   return std::min(most, asked + s.axis_deviation);
 }
 
+/** A ball larger than the part may be meant, but a unit that nobody gave is the likelier cause.
+ *  \throw FileError if the scan is smaller than the tool radius and --units was not given */
+void
+requireScale(const Job& job, const Scan& scan)
+{
+  if (job.given.count("units") > 0)
+    return;
+  Eigen::AlignedBox3d box;
+  for (const pcl::PointXYZ& point : *scan.cloud)
+    if (point.getVector3fMap().allFinite())
+      box.extend(point.getVector3fMap().cast<double>());
+  if (!box.isEmpty() && box.diagonal().norm() < job.settings.tool_radius)
+    throw FileError(job.scan, inScan(textOf("the whole scan is ", box.diagonal().norm(), " mm across, less than the tool radius ",
+                                            job.settings.tool_radius,
+                                            " mm: is the scan in metres or inches? Give its unit: --units m or --units inch; or "
+                                            "--units mm if the ball is larger than the part")));
+}
+
 /** Takes the points of the part out of the scan, and makes their surface if more than the planner needs it. */
 void
 choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageClock& clock, Result& result)
@@ -96,6 +116,7 @@ choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageC
   clock.end("reading");
   if (cancelled())
     throw Cancelled();
+  requireScale(job, result.scan);
   // The other parts and the clusters are looked at again when the path is there.
   const bool echoes = !job.holder.empty() && job.part.clusters == ClusterHandling::LeaveOut;
   const bool apart =

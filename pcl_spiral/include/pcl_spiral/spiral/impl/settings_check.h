@@ -16,7 +16,7 @@ namespace pcl_spiral {
 /** Ok, or an error with the invalid setting, its value and the remedy. */
 Status checkSettings(const SpiralSettings& settings);
 
-/** Ok, or an error if the scan is smaller than the cutter or the path would be too large. Adds scanWarnings to \p warnings. */
+/** Ok, or an error if the path would be too large. Adds scanWarnings, and one of a scan smaller than the cutter, to \p warnings. */
 Status checkScale(const Surface& surface, const SpiralSettings& settings, std::vector<std::string>& warnings);
 
 } // namespace pcl_spiral
