@@ -244,3 +244,26 @@ TEST_F(Side, DrivePathsUseTheSameRule)
 }
 
 } // namespace
+
+TEST_F(Side, ACameraAtTheOriginIsHeeded)
+{
+  // A cap of a sphere about (0, 0, 400) that bulges towards the camera: it sees only what faces -z.
+  std::ostringstream text;
+  text << std::setprecision(9) << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 60\nHEIGHT 60\n"
+       << "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3600\nDATA ascii\n";
+  for (int row = 0; row < 60; ++row)
+    for (int column = 0; column < 60; ++column) {
+      const double u = 0.1 * (column - 29.5) / 29.5, v = 0.1 * (row - 29.5) / 29.5, square = 1.0 + u * u + v * v;
+      const double z = (400.0 - std::sqrt(400.0 * 400.0 - square * (400.0 * 400.0 - 100.0 * 100.0))) / square;
+      text << z * u << ' ' << z * v << ' ' << z << '\n';
+    }
+  write("camera.pcd", text.str());
+  outside("camera.pcd");
+  expectSide("by the view point");
+  expectWarning("on the side that a camera there sees, which faces away from +z");
+  EXPECT_LT(report_.at("surface").at("side").at("z_cosine"), -0.5);
+  outside("camera.pcd", {"--view-point", "0,0,-100"});
+  EXPECT_EQ(run_.err.find("camera"), std::string::npos) << run_.err;
+  outside("camera.pcd", {"--flip-normals"});
+  EXPECT_EQ(run_.err.find("camera"), std::string::npos) << run_.err;
+}

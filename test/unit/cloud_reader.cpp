@@ -10,9 +10,12 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 
 using namespace pcl_spiral;
 
@@ -72,7 +75,66 @@ const std::string pcd_header = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F 
 const std::string ply_vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string rows = "1.5 -2.25 3\n4 5.5 -6\n0.125 1e-3 700.5\n";
 
+/** An organised cloud of 40 x 40 pixels with the default VIEWPOINT. \p at: of a pixel, with u and v from -1 to 1. */
+template <typename Place>
+std::string
+organised(Place at)
+{
+  std::ostringstream text;
+  text << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 40\nHEIGHT 40\nVIEWPOINT 0 0 0 1 0 0 0\n"
+          "POINTS 1600\nDATA ascii\n";
+  for (int row = 0; row < 40; ++row)
+    for (int column = 0; column < 40; ++column) {
+      const Eigen::Vector3d place = at((column - 19.5) / 19.5, (row - 19.5) / 19.5);
+      text << place.x() << ' ' << place.y() << ' ' << place.z() << '\n';
+    }
+  return text.str();
+}
+
+/** The point that a camera at the origin sees in the direction (u tan, v tan, 1) of a plane through (0, 0, 400) with normal \p n. */
+Eigen::Vector3d
+seen(double u, double v, const Eigen::Vector3d& n)
+{
+  const Eigen::Vector3d direction(0.4 * u, 0.4 * v, 1.0);
+  return 400.0 * n.z() / n.dot(direction) * direction;
+}
+
 } // namespace
+
+TEST_F(CloudReader, AnOrganisedCloudOfACameraIsSeenFromTheOrigin)
+{
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(2.0, Eigen::Vector3d(1.0, 2.0, 0.5).normalized()).toRotationMatrix();
+  const Eigen::Vector3d oblique(0.8, 0.0, 0.6);
+  for (const Eigen::Vector3d& n : {Eigen::Vector3d(0.0, 0.0, 1.0), oblique, Eigen::Vector3d(-0.3, 0.6, 0.74)})
+    for (const bool turned : {false, true}) {
+      const std::string content = organised([&](double u, double v) {
+        return turned ? Eigen::Vector3d(turn * seen(u, v, n)) : seen(u, v, n);
+      });
+      const Scan scan = readCloud(text("camera.pcd", content));
+      ASSERT_TRUE(scan.view_point.has_value()) << n.transpose();
+      EXPECT_EQ(scan.view_point->norm(), 0.0);
+    }
+  const std::string missing = organised([](double u, double v) {
+    return u * v > 0.6 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : seen(u, v, Eigen::Vector3d::UnitZ());
+  });
+  EXPECT_TRUE(readCloud(text("missing.pcd", missing)).view_point.has_value());
+}
+
+TEST_F(CloudReader, AHeightMapIsNotSeenFromTheOrigin)
+{
+  for (const double height : {0.0, 1.0, 10.0})   // mm over z = 0
+    for (const double aside : {0.0, 50.0, 400.0}) { // mm from the origin to the middle
+      const std::string content = organised([&](double u, double v) {
+        return Eigen::Vector3d(50.0 * u + aside, 50.0 * v + aside, height + 3.0 * std::cos(2.0 * u) * std::cos(v));
+      });
+      EXPECT_FALSE(readCloud(text("map.pcd", content)).view_point.has_value()) << height << ' ' << aside;
+    }
+  const std::string dome = organised([](double u, double v) { // the origin is its centre
+    const double angle = M_PI * u, r = 25.0 * (1.0 + v);
+    return Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), std::sqrt(std::max(0.0, 2500.0 - r * r)));
+  });
+  EXPECT_FALSE(readCloud(text("dome.pcd", dome)).view_point.has_value());
+}
 
 TEST_F(CloudReader, FilesOfPcl)
 {

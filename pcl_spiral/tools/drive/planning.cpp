@@ -74,9 +74,12 @@ drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, 
 void
 warnOfSide(const Job& job, Result& result)
 {
-  if (const DriveAxisMode mode = job.drive.axisMode(); mode == DriveAxisMode::Surface || mode == DriveAxisMode::LocalPlane)
+  if (const DriveAxisMode mode = job.drive.axisMode(); mode == DriveAxisMode::Surface || mode == DriveAxisMode::LocalPlane) {
     for (std::string& warning : sideWarnings(result.side))
       result.warnings.push_back(std::move(warning));
+    for (std::string& warning : viewPointWarnings(result.asked_side, result.side))
+      result.warnings.push_back(std::move(warning));
+  }
 }
 
 /** Adds the warnings: those of the scan in front, then those of the drive path and of the locations. */

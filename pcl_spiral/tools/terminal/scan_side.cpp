@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_side.h"
+#include "scan_places.h"
 
 #include <pcl_spiral/surface/impl/side_text.h>
 
@@ -22,4 +23,15 @@ sideLine(const ScanSide& asked, const OuterSide& found)
   if (found.vote == SideVote::ViewPoint && !asked.from_option)
     text += " (VIEWPOINT of the file; --view-point overrides it)";
   return "side            " + text;
+}
+
+std::vector<std::string>
+viewPointWarnings(const ScanSide& asked, const OuterSide& found)
+{
+  constexpr double clear = -0.1; // mean cosine: +z decides from 0.1 on
+  const bool is_default = asked.view_point && inScan(*asked.view_point).isZero(1e-6);
+  if (found.vote != SideVote::ViewPoint || asked.from_option || !is_default || found.flipped || found.z_cosine > clear)
+    return {};
+  return {"the cloud is organised and its VIEWPOINT is 0 0 0, so the path is on the side that a camera there sees, which faces away from +z: "
+          "give --flip-normals if the cutter must come from +z, or --view-point X,Y,Z"};
 }

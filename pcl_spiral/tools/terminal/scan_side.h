@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 /** What decides the side of a scan. --view-point overrides the file; of the file, normals come before VIEWPOINT. */
 struct ScanSide {
@@ -34,3 +35,6 @@ setSide(const ScanSide& side, Stage& stage)
 
 /** What decided the side, and whether it came from the file, in one line of a summary. */
 std::string sideLine(const ScanSide& asked, const pcl_spiral::OuterSide& found);
+
+/** A warning if the side is that of the default VIEWPOINT of an organised cloud, and +z would have given the other side; else empty. */
+std::vector<std::string> viewPointWarnings(const ScanSide& asked, const pcl_spiral::OuterSide& found);

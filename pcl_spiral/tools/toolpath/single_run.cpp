@@ -204,6 +204,9 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
   requirePath(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus(),
               madeTurns(generator.getReport()));
   result.report = generator.getReport();
+  if (!result.mesh)
+    for (const std::string& warning : viewPointWarnings(result.side, result.report.side))
+      result.report.warnings.push_back(warning);
   checkWay(job, result);
   checkHolder(job, result);
   for (std::string& warning : result.report.warnings)

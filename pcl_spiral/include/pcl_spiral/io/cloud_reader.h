@@ -59,7 +59,7 @@ struct ReadOptions {
 struct Scan {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;       ///< never null
   pcl::PointCloud<pcl::Normal>::Ptr normals;       ///< normals in the file, one per point, zero for none; null: the file has none
-  std::optional<Eigen::Vector3d> view_point;       ///< VIEWPOINT of a .pcd, mm, unless it is the default 0 0 0 1 0 0 0
+  std::optional<Eigen::Vector3d> view_point;       ///< VIEWPOINT of a .pcd, mm; the default 0 0 0 only of a camera's image
   std::vector<std::string> warnings;               ///< what the reader found and did not change
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< mm, whole: subtracted by ReadOptions::find_origin; zero: nothing
 };

@@ -128,7 +128,7 @@ readCloud(const std::string& file, const ReadOptions& options)
   scan.warnings.insert(scan.warnings.end(), points.warnings.begin(), points.warnings.end());
   scan.normals = normalsOf(table);
   if (extension == ".pcd")
-    if (const auto place = readPcdViewPoint(file, bytes))
+    if (const auto place = readPcdViewPoint(file, bytes, table))
       scan.view_point = millimetres(options.unit) * (*place - options.origin) - scan.shift;
   return scan;
 }

@@ -59,8 +59,9 @@ bool isStl(std::string_view bytes);
 /** How to convert a scan in a format that is not read, as the end of a message. */
 std::string conversionRemedy(const std::string& file);
 
-/** The position in VIEWPOINT of a PCD file, in the unit of the file; absent for the default 0 0 0 1 0 0 0. \throw FileError */
-std::optional<Eigen::Vector3d> readPcdViewPoint(const std::string& file, std::string_view bytes);
+/** The position in VIEWPOINT of a PCD file with the points \p table, in the unit of the file; absent for the default 0 0 0 1 0 0 0, unless
+ *  the cloud is organised and was seen from there (seenFromOrigin). \throw FileError */
+std::optional<Eigen::Vector3d> readPcdViewPoint(const std::string& file, std::string_view bytes, const PointTable& table);
 
 /** \p wanted, then the three columns of normals if \p names has them: nx ny nz, or normal_x normal_y normal_z. */
 Names withNormals(const Names& names, const Names& wanted);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "camera_view.h"
 #include "field_layout.h"
 #include "point_table.h"
 #include "text_scan.h"
@@ -33,6 +34,7 @@ struct PcdHeader {
   std::size_t words_a_point = 0;
   std::size_t bytes_a_point = 0;
   std::optional<Eigen::Vector3d> view_point; ///< of VIEWPOINT, unless it is the default
+  std::size_t row = 0;                       ///< points in a row of an organised cloud
   std::string data;                          ///< ascii, binary, binary_compressed
   std::size_t begin = 0;
   std::size_t lines = 0;
@@ -142,6 +144,7 @@ private:
            std::to_string(header_.points));
     if (header_.points == 0)
       fail("the header says that there are no points");
+    header_.row = width_ > 1 && height_ > 1 ? width_ : 0;
   }
 
   void settle()
@@ -269,9 +272,12 @@ readBinary(std::string_view body, const PcdHeader& header, const std::vector<std
 } // namespace
 
 std::optional<Eigen::Vector3d>
-readPcdViewPoint(const std::string& file, std::string_view bytes)
+readPcdViewPoint(const std::string& file, std::string_view bytes, const PointTable& table)
 {
-  return PcdHeaderReader(file, bytes).read().view_point;
+  const PcdHeader header = PcdHeaderReader(file, bytes).read();
+  if (!header.view_point && header.row > 0 && seenFromOrigin(table, header.row))
+    return Eigen::Vector3d(Eigen::Vector3d::Zero());
+  return header.view_point;
 }
 
 PointTable
