@@ -61,7 +61,7 @@ cellsOf(const PointTable& table, std::size_t width)
 bool
 seenFromOrigin(const PointTable& table, std::size_t width)
 {
-  constexpr double nearest = 0.25, one_side = 0.9;
+  constexpr double nearest = 0.2, one_side = 0.9;
   std::vector<Vector3d> points;
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i < table[0].size(); ++i)
