@@ -107,22 +107,20 @@ TEST_F(CloudReader, AnOrganisedCloudOfACameraIsSeenFromTheOrigin)
   const Eigen::Vector3d oblique(0.8, 0.0, 0.6);
   for (const Eigen::Vector3d& n : {Eigen::Vector3d(0.0, 0.0, 1.0), oblique, Eigen::Vector3d(-0.3, 0.6, 0.74)})
     for (const bool turned : {false, true}) {
-      const std::string content = organised([&](double u, double v) {
-        return turned ? Eigen::Vector3d(turn * seen(u, v, n)) : seen(u, v, n);
-      });
+      const std::string content =
+          organised([&](double u, double v) { return turned ? Eigen::Vector3d(turn * seen(u, v, n)) : seen(u, v, n); });
       const Scan scan = readCloud(text("camera.pcd", content));
       ASSERT_TRUE(scan.view_point.has_value()) << n.transpose();
       EXPECT_EQ(scan.view_point->norm(), 0.0);
     }
-  const std::string missing = organised([](double u, double v) {
-    return u * v > 0.6 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : seen(u, v, Eigen::Vector3d::UnitZ());
-  });
+  const std::string missing = organised(
+      [](double u, double v) { return u * v > 0.6 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : seen(u, v, Eigen::Vector3d::UnitZ()); });
   EXPECT_TRUE(readCloud(text("missing.pcd", missing)).view_point.has_value());
 }
 
 TEST_F(CloudReader, AHeightMapIsNotSeenFromTheOrigin)
 {
-  for (const double height : {0.0, 1.0, 10.0})   // mm over z = 0
+  for (const double height : {0.0, 1.0, 10.0})      // mm over z = 0
     for (const double aside : {0.0, 50.0, 400.0}) { // mm from the origin to the middle
       const std::string content = organised([&](double u, double v) {
         return Eigen::Vector3d(50.0 * u + aside, 50.0 * v + aside, height + 3.0 * std::cos(2.0 * u) * std::cos(v));

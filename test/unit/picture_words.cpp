@@ -259,8 +259,8 @@ TEST(DeviationLegend, SaysWhichPointsTheLargestIsOf)
     return words;
   };
   const std::string words = drawn(scene);
-  for (const char* part : {"largest of the judged points, +3.21000 mm", "beyond the rim: up to -43.2 mm, not judged",
-                           "over gaps: up to +54.3 mm, not judged"})
+  for (const char* part :
+       {"largest of the judged points, +3.21000 mm", "beyond the rim: up to -43.2 mm, not judged", "over gaps: up to +54.3 mm, not judged"})
     EXPECT_NE(words.find(part), std::string::npos) << part << " in\n" << words;
   scene.deviation_figures.rim_max.value = -3.2; // below the largest: no contradiction, no entry
   EXPECT_EQ(drawn(scene).find("beyond the rim"), std::string::npos);

@@ -29,7 +29,8 @@ reportSpacing(const PathFigures& path, SpiralReport& report)
   report.efficiency = report.least_length / report.path_length;
   if (report.efficiency >= least_efficiency)
     return;
-  std::string warning = textOf("the path is ", 1.0 / report.efficiency, " times as long as the least at this scallop height over the whole surface");
+  std::string warning =
+      textOf("the path is ", 1.0 / report.efficiency, " times as long as the least at this scallop height over the whole surface");
   if (neighbours)
     warning += textOf("; turns are closest at ", placeText(path.closest.place), ": ", path.closest.distance, " mm apart, where up to ",
                       report.largest_step_over, " mm are allowed");

@@ -144,7 +144,8 @@ addMaterial(FigureTable& table, const RemovalFigures& r, const Limits& limits)
   table.number("material/rim_length", r.rim_length, metres);
   table.number("material/least_length", r.least_length, metres).named("Least length of a path that cuts the same to this scallop height");
   table.number("material/path_length", r.path_length, metres).forPeople();
-  table.number("material/efficiency", r.efficiency, ratio).named("Efficiency \u03b7 of what is cut to the scallop height: least length / path length");
+  table.number("material/efficiency", r.efficiency, ratio)
+      .named("Efficiency \u03b7 of what is cut to the scallop height: least length / path length");
   table.number("material/seconds", r.seconds, {});
 }
 

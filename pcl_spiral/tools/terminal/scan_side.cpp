@@ -32,6 +32,7 @@ viewPointWarnings(const ScanSide& asked, const OuterSide& found)
   const bool is_default = asked.view_point && inScan(*asked.view_point).isZero(1e-6);
   if (found.vote != SideVote::ViewPoint || asked.from_option || !is_default || found.flipped || found.z_cosine > clear)
     return {};
-  return {"the cloud is organised and its VIEWPOINT is 0 0 0, so the path is on the side that a camera there sees, which faces away from +z: "
-          "give --flip-normals if the cutter must come from +z, or --view-point X,Y,Z"};
+  return {
+      "the cloud is organised and its VIEWPOINT is 0 0 0, so the path is on the side that a camera there sees, which faces away from +z: "
+      "give --flip-normals if the cutter must come from +z, or --view-point X,Y,Z"};
 }

@@ -121,13 +121,13 @@ reportBallReversals(const SpiralPath& path, const SpiralSettings& settings, Spir
   const PathReversals reversals = ballReversals(path, settings.tool_radius);
   report.reversals += reversals.count;
   if (reversals.count > 0)
-    report.warnings.push_back(textOf(
-        "the ball turns back at ", reversals.count, reversals.count == 1 ? " place" : " places", " (", reversals.lifted,
-        " of them where it is lifted), by up to ", reversals.angle, " degrees at ", placeText(reversals.place), " in turn ", reversals.turn,
-        ", while its path over the surface runs on: the surface there is as hollow as the ball or more; ",
-        report.fitting_radius < settings.tool_radius ? textOf("a ball of radius ", report.fitting_radius, " mm reaches everything")
-                                                     : std::string("a smaller ball runs on"),
-        " (setToolRadius)"));
+    report.warnings.push_back(
+        textOf("the ball turns back at ", reversals.count, reversals.count == 1 ? " place" : " places", " (", reversals.lifted,
+               " of them where it is lifted), by up to ", reversals.angle, " degrees at ", placeText(reversals.place), " in turn ",
+               reversals.turn, ", while its path over the surface runs on: the surface there is as hollow as the ball or more; ",
+               report.fitting_radius < settings.tool_radius ? textOf("a ball of radius ", report.fitting_radius, " mm reaches everything")
+                                                            : std::string("a smaller ball runs on"),
+               " (setToolRadius)"));
 }
 
 } // namespace
