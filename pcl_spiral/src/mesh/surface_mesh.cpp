@@ -2,6 +2,7 @@
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 #include "bent_edges.h"
+#include "straight_rulings.h"
 #include "vertex_normals.h"
 #include "welded_faces.h"
 
@@ -160,18 +161,35 @@ void
 SurfaceMesh::shape()
 {
   findCreases();
+  const FlatRegions regions = flatRegions(triangles_, positions_, creases_);
+  addFlatCreases(triangles_, regions, creases_);
   countEdges();
   const CornerSectors sectors = cornerSectors(triangles_, creases_);
+  const CornerSectors sides = cornerSectors(triangles_, fitLimits(triangles_, regions, creases_));
   std::vector<std::uint8_t> fallback;
-  normals_ = sectorNormals(triangles_, positions_, sectors, settings_.normals, fallback);
-  for (std::size_t s = 0; s < sectors.count(); ++s)
+  const std::vector<Vector3d> one_sided = sectorNormals(triangles_, positions_, sides, settings_.normals, fallback);
+  for (std::size_t s = 0; s < sides.count(); ++s)
     if (fallback[s])
-      counts_.other_normals.add(positions_[triangles_.origin(sectors.corners[sectors.begin[s]])]);
+      counts_.other_normals.add(positions_[triangles_.origin(sides.corners[sides.begin[s]])]);
+  normals_.resize(sectors.count());
+  for (std::uint32_t h = 0; h < triangles_.halfEdgeCount(); ++h)
+    normals_[sectors.of_corner[h]] = one_sided[sides.of_corner[h]];
+  takeFlatNormals(triangles_, positions_, sectors, regions, normals_);
+  straightenRulings(triangles_, positions_, creases_, sectors, regions, normals_);
   sector_of_ = sectors.of_corner;
   bows_.assign(triangles_.halfEdgeCount(), Vector3d::Zero());
   for (std::uint32_t h = 0; h < triangles_.halfEdgeCount(); ++h)
     if (const std::uint32_t other = triangles_.opposite(h); other == Triangulation::none || h < other)
       setBow(h);
+  flat_.resize(faceCount());
+  for (std::uint32_t t = 0; t < faceCount(); ++t)
+    flat_[t] = regions.flatAt(t) != Triangulation::none;
+  for (std::uint32_t h = 0; h < triangles_.halfEdgeCount(); ++h)
+    if (flat_[h / 3] && !creases_[h]) { // two flat regions may meet at a point
+      bows_[h].setZero();
+      if (const std::uint32_t other = triangles_.opposite(h); other != Triangulation::none)
+        bows_[other].setZero();
+    }
   for (std::size_t t = 0; t < faceCount(); ++t) {
     area_ += faceArea(t);
     mean_normal_ += faceArea(t) * faceNormal(t);

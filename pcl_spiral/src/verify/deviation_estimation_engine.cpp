@@ -16,6 +16,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t chunk = 1u << 16; // path points between progress reports
+constexpr double rounding = 1e-6;       // cosine, of normals in floats: along a wall the tool axis is square to them
 
 /** Sums and extremes over the points, taken in their order. */
 class Tally {
@@ -91,7 +92,7 @@ private:
     }
     if (cosine < 0.0 && figures_.opposed++ == 0)
       figures_.first_opposed = {angle, path_.contacts[i], i};
-    if (!path_.axes.empty() && path_.axes[i].dot(foot.normal) < 0.0 && figures_.inward_axes++ == 0)
+    if (!path_.axes.empty() && path_.axes[i].dot(foot.normal) < -rounding && figures_.inward_axes++ == 0)
       figures_.first_inward = {std::acos(std::max(-1.0, path_.axes[i].dot(foot.normal))) * 180.0 / pi, path_.contacts[i], i};
   }
 

@@ -115,8 +115,11 @@ Measurement::overReference()
     for (std::ptrdiff_t b = 0; b < blocks; ++b) {
       const std::size_t first = static_cast<std::size_t>(b) * block;
       std::size_t guess = sweep_.moves();
-      for (std::size_t k = first; k < std::min(first + block, end - begin); ++k)
+      for (std::size_t k = first; k < std::min(first + block, end - begin); ++k) {
         results[k] = sampler_.at(feet[k], guess, extremes[static_cast<std::size_t>(b)]);
+        if (reference_.mesh())
+          sampler_.inFace(begin + k, results[k].move, extremes[static_cast<std::size_t>(b)]);
+      }
     }
     for (std::size_t i = begin; i < end; ++i) {
       feet_[i] = feet[i - begin].position.cast<float>();
@@ -234,6 +237,8 @@ Measurement::finish()
 {
   figures_.gouge = extremes_.gouge;
   figures_.rim_gouge = extremes_.rim_gouge;
+  figures_.face_depth = extremes_.face_depth;
+  figures_.face_gouge = extremes_.face_gouge;
   finish(figures_.stock, main_, extremes_.stock);
   finish(figures_.rim, rim_, extremes_.rim);
   finish(figures_.crease, crease_, extremes_.crease);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -91,6 +92,26 @@ dropAway(const SurfaceMesh& mesh, const CutterPath& path, std::vector<std::uint8
       faces[t] = 0;
 }
 
+/** Of face \p t with the bend over the edge of half-edge \p h; 0 if it does not bend with the faces there. */
+double
+sagitta(const SurfaceMesh& mesh, std::size_t t, std::uint32_t h)
+{
+  constexpr double most = 4.0; // times as wide
+  const Triangulation& triangles = mesh.triangles();
+  const std::uint32_t other = triangles.opposite(h);
+  if (other == Triangulation::none || mesh.isCrease(h))
+    return 0.0;
+  const Vector3d a = mesh.faceNormal(h / 3), b = mesh.faceNormal(other / 3);
+  const Vector3d edge = mesh.position(triangles.target(h)) - mesh.position(triangles.origin(h));
+  const Vector3d across = mesh.faceNormal(t).cross(edge).normalized();
+  const double theta = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double w = 2.0 * std::min(mesh.faceArea(h / 3), mesh.faceArea(other / 3)) / edge.norm();
+  const auto& v = triangles.triangle(t);
+  const auto [low, high] = std::minmax({across.dot(mesh.position(v[0])), across.dot(mesh.position(v[1])), across.dot(mesh.position(v[2]))});
+  const double width = high - low;
+  return width <= most * w ? theta / w * width * width / 8.0 : 0.0;
+}
+
 } // namespace
 
 std::size_t
@@ -107,6 +128,30 @@ ReferenceMesh::area() const
     if (faces_.empty() || faces_[t])
       sum += mesh_->faceArea(t);
   return sum;
+}
+
+Vector3d
+ReferenceMesh::flatPlace(std::size_t i) const
+{
+  const std::uint32_t t = sample_faces_[i];
+  const Vector3d normal = mesh_->faceNormal(t), place = (*samples_)[i].getVector3fMap().cast<double>();
+  return place - (place - mesh_->position(mesh_->triangles().triangle(t)[0])).dot(normal) * normal;
+}
+
+double
+bendDepth(const SurfaceMesh& mesh, std::size_t t)
+{
+  if (mesh.isFlat(t))
+    return 0.0;
+  const Triangulation& triangles = mesh.triangles();
+  double depth = 0.0;
+  for (auto corner = static_cast<std::uint32_t>(3 * t); corner < 3 * t + 3; ++corner) {
+    const std::uint32_t v = triangles.origin(corner);
+    for (std::uint32_t i = triangles.outgoingBegin(v); i < triangles.outgoingBegin(v + 1); ++i)
+      if (const std::uint32_t h = triangles.outgoing(i); mesh.sector(h) == mesh.sector(corner))
+        depth = std::max(depth, 2.0 * sagitta(mesh, t, h));
+  }
+  return depth;
 }
 
 Status
@@ -153,6 +198,7 @@ ReferenceMesh::make(const SurfaceMesh::ConstPtr& mesh, const CutterPath& path, d
     return sampling.getStatus();
   made->samples_ = samples;
   made->spacing_ = sampling.getUsedSpacing();
+  made->sample_faces_ = sampling.getFaceIndices();
   made->rims_ = meshRims(*mesh, made->faces_);
   made->creases_ = std::make_unique<CreaseLines>(*mesh, made->faces_);
   result = made;

@@ -29,6 +29,8 @@ RemovalExtremes::merge(const RemovalExtremes& later)
   raise(crease, later.crease.value, later.crease.position, later.crease.index);
   raise(crease_gouge, later.crease_gouge.value, later.crease_gouge.position, later.crease_gouge.index);
   raise(rim_gouge, later.rim_gouge.value, later.rim_gouge.position, later.rim_gouge.index);
+  raise(face_depth, later.face_depth.value, later.face_depth.position, later.face_depth.index);
+  raise(face_gouge, later.face_gouge.value, later.face_gouge.position, later.face_gouge.index);
 }
 
 RemovalSampler::RemovalSampler(const ReferenceSurface& reference, const CutterSweep& sweep, const RemovalSettings& settings, double reach,
@@ -140,6 +142,19 @@ RemovalSampler::at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes&
   const double limit = std::min(farthest_ridge * step, std::max(fit_radius_, 0.25 * step));
   takeRidge(foot, field_.climbed(foot, stock, walk * step, limit), largest, extremes, &result.ridge);
   return result;
+}
+
+void
+RemovalSampler::inFace(std::size_t i, std::size_t move, RemovalExtremes& extremes) const
+{
+  const ReferenceMesh& mesh = *reference_.mesh();
+  const std::size_t sample = reference_.scanned().sourceIndex(i);
+  const Eigen::Vector3d place = mesh.flatPlace(sample);
+  if (reference_.inCreaseBand(place))
+    return;
+  const double depth = sweep_.deepest(place);
+  raise(extremes.face_depth, depth, place, move);
+  raise(extremes.face_gouge, depth - bendDepth(mesh.mesh(), mesh.sampleFaces()[sample]), place, move);
 }
 
 void

@@ -22,7 +22,7 @@ enum class Zone : std::uint8_t { None, Main, Rim, Crease, Unreached };
 struct RemovalExtremes {
   static constexpr double none = -1e300; ///< below every height
   PlacedValue stock{none, Eigen::Vector3d::Zero(), 0}, scallop = stock, rim = stock, crease = stock, unreached = stock;
-  PlacedValue gouge, rim_gouge, crease_gouge;
+  PlacedValue gouge, rim_gouge, crease_gouge, face_depth, face_gouge;
   void merge(const RemovalExtremes& later);
 };
 
@@ -45,6 +45,8 @@ public:
   /** Over the foot of a reference point; for one in the crease band over its place in the mesh. \p guess: the move tried first; it becomes
    *  the move found. */
   SampleResult at(const SurfaceFoot& foot, std::size_t& guess, RemovalExtremes& extremes) const;
+  /** How deep the cutter is below the flat face of point \p i of the samples of a mesh. \p move: named as the one that cuts there. */
+  void inFace(std::size_t i, std::size_t move, RemovalExtremes& extremes) const;
   /** The ridge on one side, 1 or -1, of a place on the path. */
   void beside(const SurfaceFoot& foot, std::size_t move, double side, RemovalExtremes& extremes) const;
   /** The deepest gouge on a move between the shares \p f0 and \p f1, searched with the fits at both ends. */

@@ -124,6 +124,13 @@ addGouges(FigureTable& table, const RemovalFigures& r, const Limits& limits)
       .knownIf(r.rim_gouge.value > 0.0)
       .named("Gouge at the rim, just outside the outermost scan points, deepest")
       .limited("Limits::gouge", limits.gouge, r.rim_gouge.value, " beyond the rim");
+  table.placed("material/face_depth", r.face_depth, height)
+      .knownIf(r.face_depth.value > 0.0)
+      .named("Depth below the flat faces of the mesh, deepest; no verdict");
+  table.placed("material/face_gouge", r.face_gouge, height)
+      .knownIf(r.face_gouge.value > 0.0)
+      .named("Gouge into the flat faces: depth that the bends between them do not explain")
+      .limited("Limits::gouge", limits.gouge, r.face_gouge.value, " into the flat faces of the mesh");
 }
 
 void

@@ -49,6 +49,8 @@ constexpr Line lines[] = {
      no_stock},
     {"gouge", "{material/gouge}{@material/gouge}", "none"},
     {"  beyond the rim", " {material/rim_gouge}{@material/rim_gouge}"},
+    {"below the faces", "{material/face_depth}{@material/face_depth}, no verdict"},
+    {"  unexplained", " {material/face_gouge}{@material/face_gouge}: more than the bends between the faces explain"},
     {"uncut", "{material/uncut} of the points{@material/uncut}"},
     {"efficiency",
      "{material/efficiency}: least length for what is cut to the scallop height {material/least_length}, of {material/path_length}"},

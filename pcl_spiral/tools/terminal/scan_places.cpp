@@ -192,9 +192,9 @@ inScan(Verification v)
     *messages = inScan(std::move(*messages));
   if (run_shift.isZero())
     return v;
-  for (PlacedValue* value :
-       {&d.max, &d.rim_max, &d.gap_max, &d.crease_max, &d.normal_error, &d.first_opposed, &d.first_inward, &d.wobble.max, &d.motion.gap,
-        &d.motion.turn, &d.motion.axis_change, &d.motion.normal_change, &d.lift_max, &r.gouge, &r.rim_gouge, &r.crease_gouge, &v.tip_error})
+  for (PlacedValue* value : {&d.max, &d.rim_max, &d.gap_max, &d.crease_max, &d.normal_error, &d.first_opposed, &d.first_inward,
+                             &d.wobble.max, &d.motion.gap, &d.motion.turn, &d.motion.axis_change, &d.motion.normal_change, &d.lift_max,
+                             &r.gouge, &r.rim_gouge, &r.crease_gouge, &r.face_depth, &r.face_gouge, &v.tip_error})
     value->position = inScan(value->position);
   for (StockFigures* figures : {&r.stock, &r.scallop, &r.rim, &r.unreached, &r.crease})
     moveBack(*figures);

@@ -127,6 +127,8 @@ public:
   const Eigen::Vector3d& bow(std::uint32_t h) const { return bows_[h]; }
   /** Whether the edge of half-edge \p h is a crease. */
   bool isCrease(std::uint32_t h) const { return creases_[h] != 0; }
+  /** Whether face \p t is part of a flat region beside faces that bend: its curved surface is the face itself. */
+  bool isFlat(std::size_t t) const { return flat_[t] != 0; }
   MeshPatch patch(std::size_t t) const; ///< The curved surface behind face \p t.
   /** Bound of how far the curved surface of face \p t may be from the flat face. */
   double sag(std::size_t t) const;
@@ -146,7 +148,7 @@ private:
   Triangulation triangles_;
   std::vector<Eigen::Vector3d> positions_, normals_, bows_;
   std::vector<std::uint32_t> sector_of_; ///< of the corner of each half-edge: index of its normal
-  std::vector<std::uint8_t> creases_;
+  std::vector<std::uint8_t> creases_, flat_;
   double area_ = 0.0;
   Eigen::Vector3d mean_normal_ = Eigen::Vector3d::Zero();
 };

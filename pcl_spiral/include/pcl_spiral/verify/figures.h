@@ -102,6 +102,8 @@ struct RemovalFigures {
   StockFigures rim;       ///< at the reference points within one step-over of the rim
   PlacedValue gouge;      ///< deepest, at reference points and along every move; 0 if there is none
   PlacedValue rim_gouge;  ///< the same at the rim, just outside the outermost points; not looked for in gaps
+  PlacedValue face_depth; ///< of a mesh: deepest below its flat faces as they are, off its creases; hollow curved faces lie below them
+  PlacedValue face_gouge; ///< how much of such a depth is the most that the bends between the faces do not explain, see bendDepth
   StockFigures unreached; ///< at the reference points that a ball of this radius does not reach, and within one spacing of them. Not
                           ///< part of the other figures
   double fitting_radius = 0.0;       ///< of the largest ball that reaches everything, at most that of the tool; mm

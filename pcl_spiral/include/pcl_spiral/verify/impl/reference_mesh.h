@@ -41,6 +41,10 @@ public:
   double area() const;
   const pcl::PointCloud<pcl::PointNormal>::ConstPtr& samples() const { return samples_; }
   double spacing() const { return spacing_; }
+  /** Of each sample: the face on which it lies. */
+  const std::vector<std::uint32_t>& sampleFaces() const { return sample_faces_; }
+  /** Place of sample \p i on its face as it is, flat. */
+  Eigen::Vector3d flatPlace(std::size_t i) const;
   const std::vector<MeshRim>& rims() const { return rims_; }
   const CreaseLines& creases() const { return *creases_; }
   /** What was left out of the mesh, and what was found in it, in words. */
@@ -53,9 +57,17 @@ private:
   std::vector<std::uint8_t> faces_;
   pcl::PointCloud<pcl::PointNormal>::ConstPtr samples_;
   double spacing_ = 0.0;
+  std::vector<std::uint32_t> sample_faces_;
   std::vector<MeshRim> rims_;
   std::unique_ptr<CreaseLines> creases_;
   std::vector<std::string> warnings_;
 };
+
+/** The most, mm, by which the surface behind face \p t may lie off it, as the bends of the mesh about its corners tell: of an arc with
+ *  chords w the curvature is theta / w, where theta is the angle between the faces at an edge and w the height of the smaller one over it,
+ *  and the sagitta of the face is its width across the edge squared, times the curvature, over 8; twice the largest of these, as the
+ *  surface may bend as much in the other direction. A face more than four times as wide does not bend with the faces beside it, and edges that
+ *  are creases are not looked at. Zero for a face that is flat, SurfaceMesh::isFlat(). */
+double bendDepth(const SurfaceMesh& mesh, std::size_t t);
 
 } // namespace pcl_spiral
