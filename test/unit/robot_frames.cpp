@@ -66,6 +66,43 @@ testPasses(const Eigen::Isometry3d& motion)
   return passes;
 }
 
+/** Heights, a tenth of a millimetre apart, with valleys, steps of up to 3 mm and edges. */
+std::vector<double>
+brokenProfile(Random& random)
+{
+  std::vector<double> heights;
+  double z = 0.0;
+  while (heights.size() < 600) {
+    const double slope = random.uniform(-1.5, 1.5);
+    z += random.uniform(0.0, 1.0) < 0.3 ? random.uniform(-3.0, 3.0) : 0.0;
+    for (int i = static_cast<int>(random.uniform(20.0, 80.0)); i-- > 0; z += 0.1 * slope)
+      heights.push_back(z);
+  }
+  return heights;
+}
+
+/** A ball of 4 mm rolled over \p heights along x, upright; the way bends a little to the side. */
+ToolPoses
+rolledPass(const std::vector<double>& heights)
+{
+  constexpr double radius = 4.0, step = 0.1;
+  constexpr int reach = 40;
+  ToolPoses pass;
+  for (int i = reach; i + reach < static_cast<int>(heights.size()); ++i) {
+    double top = -1e9;
+    int touched = i;
+    for (int k = -reach; k <= reach; ++k)
+      if (const double centre = heights[i + k] + std::sqrt(std::max(0.0, radius * radius - step * step * k * k)); centre > top) {
+        top = centre;
+        touched = i + k;
+      }
+    const double side = 3.0 * std::sin(0.002 * i);
+    const Eigen::Vector3d centre(step * i, side, top), contact(step * touched, side, heights[touched]);
+    pass.push_back({centre - radius * Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitZ(), contact, (centre - contact) / radius});
+  }
+  return pass;
+}
+
 Eigen::Isometry3d
 randomMotion(Random& random)
 {
@@ -117,12 +154,59 @@ TEST(RobotFrames, AreReadBackAsNoetherReadsThem)
           if (passes[k].size() < 2)
             continue;
           const std::size_t from = std::min(at, passes[k].size() - 2);
-          Eigen::Vector3d travel = passes[k][from + 1].contact - passes[k][from].contact;
+          Eigen::Vector3d travel = passes[k][from + 1].tip - passes[k][from].tip;
           travel -= travel.dot(z) * z;
           ASSERT_LT((frame.col(0) - travel.normalized()).norm(), 1e-6) << k << " " << i;
         }
       }
     }
+}
+
+TEST(RobotFrames, DoNotFlipInValleysAtStepsAndAtEdges)
+{
+  Random random(11);
+  std::size_t jumps = 0; // of the contact, against the way
+  for (int trial = 0; trial < 40; ++trial) {
+    const ToolPoses pass = rolledPass(brokenProfile(random));
+    const std::vector<ToolMoves> moves = ledPasses({pass}, {});
+    double travel_turns = 0.0;
+    for (std::size_t i = 2; i < pass.size(); ++i) {
+      travel_turns = std::max(travel_turns, angleBetween(pass[i].tip - pass[i - 1].tip, pass[i - 1].tip - pass[i - 2].tip));
+      jumps += pass[i].contact.x() < pass[i - 1].contact.x();
+    }
+    EXPECT_LE(largestFrameTurn(moves).angle, travel_turns + 1e-9);
+    for (const Eigen::Matrix3d& frame : toolFrames(moves[0]))
+      ASSERT_GE(frame.col(0).x(), -1e-9);
+    const std::vector<Eigen::Matrix3d> frames = toolFrames(moves[0], RobotZ::Normal); // x turns with the normal, and no more
+    for (std::size_t i = 1; i < frames.size(); ++i)
+      ASSERT_LE(angleBetween(frames[i - 1].col(0), frames[i].col(0)),
+                travel_turns + angleBetween(frames[i - 1].col(2), frames[i].col(2)) + 1e-9);
+  }
+  EXPECT_GT(jumps, 100U);
+}
+
+TEST(RobotFrames, KeepXWhereTheTipStandsOrMovesAlongZ)
+{
+  using Eigen::Vector3d;
+  const auto pose = [](double x, double y, double z) { return ToolPose{{x, y, z}, Vector3d::UnitZ(), {x, y, z}, Vector3d::UnitZ()}; };
+  // Along y; 5 mm up; on along y; rounded places at one spot, whose contact wanders; on along x.
+  ToolPoses pass{pose(100, 0, 0), pose(100, 1, 0), pose(100, 1, 5), pose(100, 2, 5)};
+  pass.push_back(pose(100.000001, 1.999999, 5));
+  pass.push_back(pose(99.999999, 2.000001, 5));
+  pass[4].contact.x() -= 2.0;
+  pass.push_back(pose(101, 2, 5));
+  pass.push_back(pose(102, 2, 5));
+  const std::vector<ToolMoves> moves = ledPasses({pass}, {});
+  const std::vector<Eigen::Matrix3d> frames = toolFrames(moves[0]);
+  const auto first = static_cast<std::size_t>(
+      std::find_if(moves[0].begin(), moves[0].end(), [](const ToolMove& m) { return m.section == BlockSection::Cut; }) - moves[0].begin() -
+      1);
+  for (std::size_t i = 0; i < first + 3; ++i)
+    EXPECT_LT((frames[i].col(0) - Vector3d::UnitY()).norm(), 1e-6) << i;
+  for (std::size_t i = first + 3; i < frames.size(); ++i)
+    EXPECT_LT((frames[i].col(0) - Vector3d::UnitX()).norm(), 1e-5) << i;
+  EXPECT_NEAR(largestFrameTurn(moves).angle, 0.5 * M_PI, 1e-5);
+  EXPECT_LT((largestFrameTurn(moves).place - pass[3].tip).norm(), 1e-9);
 }
 
 TEST(RobotFrames, SpeedsGiveEachMoveItsTime)

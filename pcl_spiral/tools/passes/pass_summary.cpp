@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_summary.h"
 
+#include "program/exchange_files.h"
 #include "program/machine_moves.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
@@ -23,6 +24,7 @@ printPasses(const PassJob& job, const PassResult& result, const std::vector<std:
   std::printf("path length     %.3f m of the tip\n", result.length / 1000.0);
   if (result.program)
     printProgram(*result.program);
+  printFrames(job.program, result.moves, job.outputs);
   std::printf("time            %s\n", duration(seconds).c_str());
   if (job.verbose)
     for (const StageCost& stage : result.stages)

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "exchange_files.h"
 #include "terminal/file_names.h"
+#include "terminal/scan_places.h"
+
+#include <pcl_spiral/common/impl/message.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 using namespace pcl_spiral;
 
@@ -11,6 +18,16 @@ exchangeMoves(const ProgramJob& job, double feed, double ball_radius, const std:
   settings.feed = feed;
   settings.ball_radius = ball_radius;
   return ledPasses(passes, settings);
+}
+
+void
+printFrames(const ProgramJob& job, const std::vector<ToolMoves>& moves, const std::vector<std::string>& outputs)
+{
+  if (std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".yaml"; }))
+    return;
+  const FrameTurn turn = largestFrameTurn(moves, job.robot_z);
+  std::printf("robot frames    x turns by at most %.3g degrees from one waypoint to the next, tip at %s\n", turn.angle * 180.0 / M_PI,
+              placeText(inScan(turn.place)).c_str());
 }
 
 void

@@ -23,6 +23,9 @@ struct ExchangePath {
 std::vector<pcl_spiral::ToolMoves> exchangeMoves(const ProgramJob& job, double feed, double ball_radius,
                                                  const std::vector<pcl_spiral::ToolPoses>& passes);
 
+/** Prints by how much the x of the robot frames of \p moves turns, if one of \p outputs has robot frames. */
+void printFrames(const ProgramJob& job, const std::vector<pcl_spiral::ToolMoves>& moves, const std::vector<std::string>& outputs);
+
 /** Writes \p file for \p output; CLDATA has the moves of \p program if there is one. \throw pcl_spiral::FileError */
 void writeExchange(const ProgramJob& job, const ExchangePath& path, const std::optional<pcl_spiral::MachineProgram>& program,
                    const std::string& output, const std::string& file);

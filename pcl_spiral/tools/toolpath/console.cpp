@@ -2,6 +2,7 @@
 #include "console.h"
 #include "job_check.h"
 #include "judging/figures_table.h"
+#include "program/exchange_files.h"
 #include "program/machine_moves.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
@@ -204,6 +205,7 @@ printSummary(const Job& job, const Result& result, double seconds)
     printTogether(job, result);
   if (result.program)
     printProgram(*result.program);
+  printFrames(job.program, result.moves, job.outputs);
   std::printf("time            %s\n", duration(seconds).c_str());
   if (job.verbose)
     printStages(result, seconds);

@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/io/program_writer.h>
-#include <pcl_spiral/machine/tool_moves.h>
+#include <pcl_spiral/machine/tool_frames.h>
 
 #include <string>
 #include <vector>
@@ -45,15 +45,9 @@ struct AptHeader {
  *  moves */
 void writeAPT(const std::string& file, const std::vector<ToolMoves>& passes, const AptHeader& header);
 
-/** What z of a robot frame is, and where the frame is. */
-enum class RobotZ {
-  Axis,  ///< the tool axis, from the tip to the shank; the frame is at the tip
-  Normal ///< the normal of the surface, out of the material; the frame is at the contact
-};
-
 /** Writes robot frames in the nested lists that noether reads: a fragment, its path, a segment for each pass, its waypoints {x, y, z, qw,
- *  qx, qy, qz, speed, move}, in metres and m/s. x is along the travel, square to z; on leads it is that of the end of the path. speed is
- *  that of the place on the way to the waypoint, and is left out of rapids; move is rapid, lead or cut. noether ignores both.
+ *  qx, qy, qz, speed, move}, in metres and m/s. The frames are those of toolFrames(). speed is that of the place
+ *  on the way to the waypoint, and is left out of rapids; move is rapid, lead or cut. noether ignores both.
  *  \throw FileError, also for a pass without moves */
 void writeRobotFrames(const std::string& file, const std::vector<ToolMoves>& passes, RobotZ z = RobotZ::Axis);
 
