@@ -308,6 +308,30 @@ TEST_F(CommandLine, DropsBadPointsAndSaysHowMany)
   EXPECT_TRUE(readText(folder_.path("a.csv")) == readText(folder_.path("b.csv"))) << "they change nothing";
 }
 
+/** Two lines that may be points, and are not: the message says how to skip them, in each program. */
+TEST_F(CommandLine, LinesAtTheBeginningAreSkippedAsTheMessageSays)
+{
+  writeText(folder_.path("head.xyz"), "7 12 scanner\n1,5 2,5 3,5\n" + readText(folder_.path("cap.xyz")));
+  ASSERT_EQ(make("cap.xyz", {"-o", "whole.csv"}).code, 0);
+  const std::vector<std::pair<std::string, Arguments>> calls{
+      {PCL_SPIRAL_TOOLPATH_PROGRAM, {"head.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "a.csv"}},
+      {PCL_SPIRAL_DRIVE_PROGRAM, {"head.xyz", "--tool-radius", "3", "--step-over", "2", "-o", "b.csv"}},
+      {PCL_SPIRAL_VERIFY_PROGRAM, {"head.xyz", "whole.csv", "--tool-radius", "3"}}};
+  for (const auto& [name, call] : calls) {
+    const RunResult refused = endOf(startProgram(name, call, folder_), folder_);
+    EXPECT_EQ(refused.code, 1) << name;
+    const std::size_t at = refused.err.find("--skip-lines ");
+    ASSERT_NE(at, std::string::npos) << name << ": " << refused.err;
+    Arguments followed = call;
+    followed.insert(followed.end(), {"--skip-lines", std::to_string(std::atoi(refused.err.c_str() + at + 13))});
+    const RunResult done = endOf(startProgram(name, followed, folder_), folder_);
+    EXPECT_EQ(done.code, 0) << name << ": " << done.err;
+  }
+  EXPECT_EQ(readText(folder_.path("a.csv")), readText(folder_.path("whole.csv")));
+  expectRefused({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "c.csv", "--skip-lines", "-1"}, 2,
+                {"--skip-lines -1", "0 lines or more"});
+}
+
 TEST_F(CommandLine, UnitsAndThreadsDoNotChangeThePath)
 {
   std::vector<Point> metres = cap(6000);

@@ -4,6 +4,7 @@
 #include "passes/pass_options.h"
 #include "program/program_options.h"
 #include "terminal/command_line.h"
+#include "terminal/read_options.h"
 #include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
@@ -35,7 +36,7 @@ files(Job& job)
                     job.mesh_settings.crease_angle),
        switchOption("flip-normals", "the cutter is on the other side of the scan or mesh", job.mesh_settings.flip),
        placeOption("view-point", view_point_help, job.view_point)}};
-  addOptions(group, readOptions(job));
+  addOptions(group, readOptions(job.read));
   addOptions(group, scanOptions(job));
   addOptions(group, regionOptions(job.choice, job.regions));
   addOptions(group, {clustersOption(job.choice)});

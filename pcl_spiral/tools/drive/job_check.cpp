@@ -84,7 +84,7 @@ void
 requireMeshMeant(const Job& job)
 {
   for (const char* option :
-       {"columns", "leave-out-strays", "largest", "thin", "view-point", "part-at", "region", "crop", "keep-out", "clusters"})
+       {"columns", "skip-lines", "leave-out-strays", "largest", "thin", "view-point", "part-at", "region", "crop", "keep-out", "clusters"})
     if (job.mesh && isGiven(job, option))
       throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh uses the faces of a mesh; leave one of them out");
   for (const char* option : {"crease-angle", "no-gouge-check"})

@@ -4,6 +4,7 @@
 #include "terminal/cutter_shape.h"
 #include "terminal/option_table.h"
 #include "terminal/option_values.h"
+#include "terminal/read_options.h"
 #include "terminal/scan_places.h"
 
 namespace po = boost::program_options;
@@ -44,7 +45,7 @@ addScanOptions(po::options_description& options)
 {
   const std::string units = pcl_spiral::choiceList<pcl_spiral::LengthUnit>();
   options.add_options()("units", value(units.c_str()), units_help)("origin", value("X,Y,Z"), origin_help)(
-      "columns", value("NAMES"), "names of the columns of a text scan, from the left: --columns id,x,y,z");
+      "columns", value("NAMES"), columns_help)("skip-lines", value("N"), skip_lines_help);
 }
 
 void
@@ -114,6 +115,8 @@ scanOptions(const po::variables_map& given)
     setOrigin(text("origin"), read);
   if (given.count("columns") > 0)
     read.columns = listValue(text("columns"));
+  if (given.count("skip-lines") > 0)
+    read.skip_lines = skipLinesValue(text("skip-lines"));
   return read;
 }
 
@@ -170,7 +173,7 @@ meshOptions(const po::variables_map& given)
   const bool mesh = given.count("mesh") > 0;
   for (const char* name : {"crease-angle", "sample-spacing"})
     require(mesh || given.count(name) == 0, "--" + std::string(name) + " belongs to meshes; add --mesh, or leave it out");
-  for (const char* name : {"columns", "view-point", "part-at", "region", "crop", "keep-out", "clusters"})
+  for (const char* name : {"columns", "skip-lines", "view-point", "part-at", "region", "crop", "keep-out", "clusters"})
     require(!mesh || given.count(name) == 0, "--" + std::string(name) +
                                                  " belongs to scans; the faces of a mesh define its side: leave "
                                                  "it out, or turn the mesh over (--flip-normals)");

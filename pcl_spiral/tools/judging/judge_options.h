@@ -23,7 +23,7 @@ struct MeshChoice {
   double sample_spacing = 0.0; ///< mm; 0: chosen automatically
 };
 
-/** --units, --origin, --columns */
+/** --units, --origin, --columns, --skip-lines */
 void addScanOptions(boost::program_options::options_description& options);
 
 /** --tool-radius with \p radius_meaning as its help, --corner-radius, --flank-length, --flank-angle,

@@ -2,16 +2,6 @@
 #include "pass_options.h"
 #include "program/holder_options.h"
 #include "terminal/cutter_shape.h"
-#include "terminal/scan_places.h"
-
-std::vector<Option>
-readOptions(PassJob& job)
-{
-  return {choiceOption("units", units_help, job.read.unit),
-          originOption(job.read),
-          {"columns", "NAMES", "names of the columns of a text file, from the left; x, y and z are used: --columns id,x,y,z",
-           [&job](const std::string& value) { job.read.columns = listValue(value); }}};
-}
 
 std::vector<Option>
 scanOptions(PassJob& job)

@@ -10,8 +10,6 @@
 #include <string>
 #include <vector>
 
-/** Options for reading files of points. */
-std::vector<Option> readOptions(PassJob& job);
 /** Options that select the points of a scan. */
 std::vector<Option> scanOptions(PassJob& job);
 Option configOption(PassJob& job);

@@ -5,6 +5,7 @@
 #include "passes/pass_options.h"
 #include "program/program_options.h"
 #include "terminal/command_line.h"
+#include "terminal/read_options.h"
 #include "terminal/setter_names.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ files(Job& job)
        textOption("scan", "FILE",
                   "scan of the whole part: with --through both lines are found in it; a cutter does not gouge it: --scan part.pcd",
                   job.scan)}};
-  addOptions(group, readOptions(job));
+  addOptions(group, readOptions(job.read));
   addOptions(group, scanOptions(job));
   addOptions(group, {configOption(job)});
   return group;

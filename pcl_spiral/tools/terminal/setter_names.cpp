@@ -8,7 +8,7 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 78> words{{
+constexpr std::array<std::pair<const char*, const char*>, 79> words{{
     {"FeedMode", "--feed-mode inverse-time"},
     {"setFixedAxis", "--axis"},
     {"setThinning", "--thin"},
@@ -82,6 +82,7 @@ constexpr std::array<std::pair<const char*, const char*>, 78> words{{
     {"Limits::deviation", "--max-deviation"},
     {"Limits::uncut", "--max-uncut"},
     {"ReadOptions::columns", "--columns"},
+    {"ReadOptions::skip_lines", "--skip-lines"},
     {"ReadOptions::origin", "--origin X,Y,Z"},
     {"ReadOptions::unit", "--units m, --units ft, --units us-ft, --units inch"},
     {"ReadOptions::find_origin", "without --origin"},

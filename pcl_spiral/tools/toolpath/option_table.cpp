@@ -3,6 +3,7 @@
 #include "judging/stock_option.h"
 #include "program/holder_options.h"
 #include "program/program_options.h"
+#include "terminal/read_options.h"
 #include "terminal/scan_places.h"
 
 using pcl_spiral::SpiralSettings;
@@ -41,7 +42,7 @@ setRim(double& overhang, const std::string& value)
 OptionGroup
 files(Job& job)
 {
-  return {
+  OptionGroup group{
       "Files",
       {{"scan", "FILE", ".pcd .ply .xyz .txt .csv .asc .pts .las .stl .obj, or with --mesh a mesh; --scan itself can be left out: part.pcd",
         [&job](const std::string& value) { job.scan = value; }},
@@ -64,14 +65,12 @@ files(Job& job)
           job.stock.push_back(value);
           job.verify = true;
         }},
-       choiceOption("units", units_help, job.read.unit),
-       originOption(job.read),
-       {"columns", "NAMES", "names of the columns of a text file, from the left; x, y and z are used: --columns id,x,y,z",
-        [&job](const std::string& value) { job.read.columns = listValue(value); }},
        textOption("config", "FILE",
                   "job file in YAML with these option names (tool-radius: 10), or the .json report of a run, which is then made "
                   "again; the command line has priority: --config job.yaml",
                   job.config_file)}};
+  addOptions(group, readOptions(job.read));
+  return group;
 }
 
 OptionGroup

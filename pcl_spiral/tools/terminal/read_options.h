@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Options on how the file of a scan is read.
+ */
+#pragma once
+
+#include "option_table.h"
+
+#include <pcl_spiral/io/cloud_reader.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/** Help on --columns and --skip-lines, for all programs. */
+extern const char* const columns_help;
+extern const char* const skip_lines_help;
+
+/** The number of --skip-lines. \throw UsageError */
+std::size_t skipLinesValue(const std::string& value);
+
+/** --units, --origin, --columns and --skip-lines. */
+std::vector<Option> readOptions(pcl_spiral::ReadOptions& read);
