@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace pcl_spiral;
@@ -74,9 +75,20 @@ TEST(RefusedScallopStages, FieldsOfSettingsThatCannotBe)
   distances.setNumberOfThreads(100000);
   expectRefused(distances, made, "setNumberOfThreads");
   distances.setNumberOfThreads(0);
+}
+
+TEST(RefusedScallopStages, ABallLargerThanTheScanIsAWarning)
+{
+  StepOverField<Point> distances;
+  setUp(distances);
   distances.setToolRadius(500.0);
-  expectRefused(distances, made, "less than the tool radius");
-  EXPECT_FALSE(made);
+  StepOverDistance::ConstPtr made;
+  distances.compute(made);
+  EXPECT_TRUE(made) << distances.getStatus().message();
+  const std::vector<std::string>& warnings = distances.getWarnings();
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
+    return w.find("less than the tool radius 500 mm: if it is in metres or inches, scale it to mm") != std::string::npos;
+  }));
 }
 
 TEST(RefusedScallopStages, LoopsThatDoNotBelongToTheSurface)

@@ -74,7 +74,7 @@ expectSettings()
 
 TEST(SurfaceInput, SmoothingIsWhatTheMessageSays)
 {
-  const Cloud::Ptr noisy = square(10000, 1.5), smooth(new Cloud);
+  const Cloud::Ptr noisy = square(10000, 0.39), smooth(new Cloud); // points about 1 mm apart
   Loops loops;
   loops.setInputCloud(noisy);
   const std::string message = outcome(loops).message();
@@ -89,6 +89,15 @@ TEST(SurfaceInput, SmoothingIsWhatTheMessageSays)
   const Status smoothed = outcome(loops, &found);
   EXPECT_TRUE(smoothed.ok()) << smoothed.message();
   EXPECT_EQ(found, 1u);
+}
+
+TEST(SurfaceInput, NoSmoothingIsNamedForMoreScatterThanFoldsHave)
+{
+  Loops loops;
+  loops.setInputCloud(square(10000, 1.5));
+  const std::string message = outcome(loops).message();
+  EXPECT_NE(message.find("cannot be told from folds of the part with too few points"), std::string::npos) << message;
+  EXPECT_EQ(message.find("-radius"), std::string::npos) << message;
 }
 
 TEST(SurfaceInput, TheLargestPartIsKeptAsTheMessageSays)

@@ -80,7 +80,7 @@ TEST_P(NoisyDome, TheNamedSmoothingWorksAtOnce)
   EXPECT_LT(smoothed.off, noise);
 }
 
-INSTANTIATE_TEST_SUITE_P(Noise, NoisyDome, ::testing::Values(0.2, 0.5));
+INSTANTIATE_TEST_SUITE_P(Noise, NoisyDome, ::testing::Values(0.2));
 
 TEST(ThinnedSurface, ThatLiesBesideThePointsIsRefusedWithAnEdgeThatWorks)
 {
