@@ -187,6 +187,47 @@ TEST(CutterProfile, LocationsTouchTiltedPlanes)
     EXPECT_GT(count, 500);
 }
 
+TEST(CutterProfile, TouchesAreTheReverseOfLocations)
+{
+  Random random(8);
+  for (int i = 0; i < many; ++i) {
+    const CutterProfile c(randomCutter(random));
+    const Vector3d point = 50.0 * unitVector(random), normal = unitVector(random), axis = unitVector(random);
+    const CutterContact contact = c.locate(point, normal, axis);
+    if (!contact.touches)
+      continue;
+    const CutterTouch touch = c.touchAt(contact.tip, axis, point, normal);
+    ASSERT_LT((touch.place - point).norm(), 1e-7 * c.radius() + 1e-9) << i;
+    ASSERT_LT((touch.normal - normal).norm(), 1e-5) << i;
+    // A place known less well: still on the cutter, with the cutter's normal.
+    const CutterTouch near = c.touchAt(contact.tip, axis, point + 0.01 * c.radius() * unitVector(random), Vector3d::Zero());
+    const Vector3d from = near.place - contact.tip;
+    const double z = from.dot(axis), l = (from - z * axis).norm();
+    ASSERT_FALSE(c.contains(l * (1.0 + 1e-9), z, 1e-6 * c.radius())) << i; // on a cylinder, not within its rounding
+    ASSERT_TRUE(c.contains(l * (1.0 - 1e-5), z + 1e-5 * c.radius())) << i;
+    ASSERT_NEAR(near.normal.norm(), 1.0, 1e-9);
+    ASSERT_GE(near.normal.dot(axis), std::sin(c.flankAngle()) - 1e-9);
+  }
+}
+
+TEST(CutterProfile, ATouchOfABallHasTheWayToItsCentreAsNormal)
+{
+  Random random(9);
+  const CutterProfile ball(CutterShape::ball(3.0, 5.0));
+  const Vector3d tip(1, 2, 3), axis = Vector3d(0.2, -0.3, 1.0).normalized(), centre = tip + 3.0 * axis;
+  for (int i = 0; i < 1000; ++i) {
+    Vector3d down = unitVector(random);
+    down *= down.dot(axis) > 0.0 ? -1.0 : 1.0;
+    const CutterTouch touch = ball.touchAt(tip, axis, centre + random.uniform(2.5, 3.5) * down, Vector3d::Zero());
+    EXPECT_LT((touch.place - centre - 3.0 * down).norm(), 1e-9);
+    EXPECT_LT((touch.normal + down).norm(), 1e-9);
+  }
+  const CutterTouch below = ball.touchAt(tip, axis, tip, Vector3d::UnitX());
+  EXPECT_LT((below.normal - axis).norm() + (below.place - tip).norm(), 1e-9);
+  const CutterTouch beside = ball.touchAt(tip, axis, centre + 2.0 * axis + 3.0 * axis.unitOrthogonal(), axis);
+  EXPECT_LT((beside.normal + axis.unitOrthogonal()).norm(), 1e-9);
+}
+
 TEST(CutterProfile, SaysWhereThePlaneLeansOverTheFlank)
 {
   const CutterProfile c(CutterShape::taperedBullNose(6.0, 1.0, 20.0, 10.0));

@@ -191,6 +191,34 @@ CutterProfile::locate(const Eigen::Vector3d& point, const Eigen::Vector3d& norma
   return contact;
 }
 
+CutterTouch
+CutterProfile::touchAt(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis, const Eigen::Vector3d& point,
+                       const Eigen::Vector3d& normal) const
+{
+  constexpr double at_edge = 1e-3; // of R: places are known to the sag of a face
+  const auto acrossAxis = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d { return v - v.dot(axis) * axis; };
+  const Eigen::Vector3d across = acrossAxis(point - tip), leaning = -acrossAxis(normal);
+  const double l = across.norm(), z = (point - tip).dot(axis), steepest = 0.5 * pi - flank_angle_;
+  const bool on_axis = l <= rounding * shape_.radius;
+  const Eigen::Vector3d side = !on_axis                          ? Eigen::Vector3d(across / l)
+                               : leaning.norm() > angle_rounding ? Eigen::Vector3d(leaning.normalized())
+                                                                 : axis.unitOrthogonal();
+  const bool sharp = shape_.corner_radius == 0.0 && std::hypot(l - flank_radius_, z) < at_edge * shape_.radius;
+  double distance = l, height = 0.0, lean = 0.0; // of the place; angle between the cutter's normal and the axis, downwards
+  if (sharp || l > flat_radius_) {
+    const double wanted = sharp ? std::atan2(leaning.dot(side), normal.dot(axis)) : std::atan2(l - flat_radius_, shape_.corner_radius - z);
+    lean = std::clamp(wanted, 0.0, steepest);
+    distance = flat_radius_ + shape_.corner_radius * std::sin(lean);
+    height = shape_.corner_radius * (1.0 - std::cos(lean));
+    if (!sharp && wanted > steepest) { // on the flank
+      const double up = (l - flank_radius_) * sin_angle_ + (z - corner_height_) * cos_angle_;
+      distance = flank_radius_ + std::max(0.0, up) * sin_angle_;
+      height = corner_height_ + std::max(0.0, up) * cos_angle_;
+    }
+  }
+  return {tip + distance * side + height * axis, std::cos(lean) * axis - std::sin(lean) * side};
+}
+
 CutterProfile
 insetCutter(const CutterProfile& profile, double depth)
 {

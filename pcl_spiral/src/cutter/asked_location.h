@@ -65,6 +65,20 @@ struct AskedLocation {
       location.state = LocationState::Reached;
     return contact.touches ? std::max(0.0, height) : height; // never below the given contact
   }
+
+  /** Set contact and normal of a settled \p location at \p height, so that they are those of the cutter at its tip: at the contact asked
+   *  for, where the cutter is there, else next to where the surface was met. */
+  void settleContact(const CutterProfile& profile, double height, ToolLocation& location) const
+  {
+    if (location.state == LocationState::Reached || location.state == LocationState::Clear) {
+      location.contact = position + height * location.axis;
+      location.normal = normal;
+      return;
+    }
+    const CutterTouch touch = profile.touchAt(location.tip, location.axis, location.contact, location.normal);
+    location.contact = touch.place;
+    location.normal = touch.normal;
+  }
 };
 
 } // namespace pcl_spiral

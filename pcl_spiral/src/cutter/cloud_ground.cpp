@@ -32,11 +32,24 @@ CloudGround::trusted(const FittedContact& fitted, const DropContact& drop) const
   return sunk > -noise && sunk < most + noise;
 }
 
+DropContact
+CloudGround::onEdge(const AxisFrame& frame, const FittedContact& fitted, const DropContact& drop) const
+{
+  constexpr double most = 2.0; // spacings from outermost points, which are ragged, down a slope of 45 degrees to the edge
+  if (!fitted.beyond)
+    return {};
+  const double noise = surface_.noiseAllowance() / least_share, spacing = surface_.surface().graph().spacing();
+  DropContact edge = CutterDrop(surface_.edge(), profile_, options_.ceiling).highest(frame, drop.height - noise);
+  edge.found = edge.found && edge.height < drop.height + most * spacing + noise;
+  return edge;
+}
+
 void
 CloudGround::settle(const AskedLocation& asked, double height, ToolLocation& location) const
 {
   height = asked.settle(height, options_.tolerance, location);
   location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
+  asked.settleContact(profile_, height, location);
   asked.findRim(rim_drop_, profile_.radius(), height, location);
   location.collision = findCollision(surface_.obstacles(), holder_, asked.frame, height, options_.tolerance);
   const auto find = [&](const HolderProfile& tool) {
@@ -82,6 +95,12 @@ CloudGround::resolve(const AskedLocation& asked, const DropContact& drop, const 
     location.gap_bound = fitted.gap_bound;
     location.gap = fitted.height - drop.height;
     height = fitted.height;
+  }
+  else if (const DropContact edge = onEdge(asked.frame, fitted, drop); edge.found) {
+    location.basis = LocationBasis::FittedSurface;
+    location.contact = surface_.edge().position(edge.point);
+    location.gap = edge.height - drop.height;
+    height = edge.height;
   }
   else {
     location.gap_bound = foot.valid ? fitted_drop_.gapBound(asked.frame, foot) : std::numeric_limits<double>::infinity();

@@ -35,6 +35,8 @@ private:
   double near() const { return options_.tolerance + surface_.noiseAllowance(); }
   void standOn(const AskedLocation& asked, const SurfaceFoot& foot, ToolLocation& location) const;
   bool trusted(const FittedContact& fitted, const DropContact& drop) const;
+  /** Where the cutter rests on the edge of the surface if it would touch beyond it; not found if the points say otherwise. */
+  DropContact onEdge(const AxisFrame& frame, const FittedContact& fitted, const DropContact& drop) const;
 
   const LocationSurface& surface_;
   LocationOptions options_;

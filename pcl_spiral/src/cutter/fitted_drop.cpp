@@ -65,7 +65,8 @@ FittedDrop::gapBound(const AxisFrame& frame, const SurfaceFoot& foot) const
 {
   const FacingFoot facing(foot, frame.axis);
   SampledContact contact;
-  contact.covering_radius = surface_.coveringRadius(foot.nearest);
+  contact.covering_radius =
+      std::max(surface_.coveringRadius(foot.nearest), foot.nearest_distance) + foot.overhang; // no points beyond a rim
   contact.lean = std::acos(std::min(1.0, facing.share));
   contact.distance = frame.across(foot.position).norm();
   contact.curvature = std::max(facing.k1, facing.k2);
@@ -102,11 +103,15 @@ void
 FittedDrop::step(const AxisFrame& frame, const SurfaceFoot& foot, Start& start) const
 {
   start.active = false;
-  if (!surface_.covers(foot))
+  const SurfaceGraph& graph = surface_.surface().graph();
+  const double spacing = graph.spacing(foot.nearest);
+  const double most = largest_overhang * std::max(spacing, graph.spacing());
+  start.contact.beyond =
+      !surface_.covers(foot) || foot.overhang > most || (foot.overhang > 0.0 && surface_.beyondOutline(foot.position) > 1.01 * most);
+  if (start.contact.beyond)
     return;
   const FacingFoot facing(foot, frame.axis);
-  const double spacing = surface_.surface().graph().spacing(foot.nearest);
-  if (facing.share < steepest || foot.overhang > largest_overhang * spacing)
+  if (facing.share < steepest)
     return;
   const HeightModel model = modelOf(frame, foot, facing);
   const Eigen::Vector2d found = touchModel(profile_, model);
@@ -156,6 +161,7 @@ FittedDrop::locate(const std::vector<AxisFrame>& frames, const std::vector<DropC
     FittedContact& best = contacts[s / most_starts];
     if (starts[s].contact.found && (!best.found || starts[s].contact.height > best.height))
       best = starts[s].contact;
+    best.beyond = !best.found && (best.beyond || starts[s].contact.beyond);
   }
 }
 

@@ -14,6 +14,7 @@ namespace pcl_spiral {
 /** Where a cutter that moves down along its axis meets the fitted surface. */
 struct FittedContact {
   bool found = false;  ///< false if no fit is reliable, or the surface is nearly parallel to the axis
+  bool beyond = false; ///< not found, and the cutter would touch where no points are, or farther beyond them than a fit is reliable
   double height = 0.0; ///< of the tip along the axis, from the frame's origin
   Eigen::Vector3d contact = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< unit, to the side the tool is on

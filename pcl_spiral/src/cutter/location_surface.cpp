@@ -3,10 +3,13 @@
 
 #include "coordinate_rounding.h"
 
+#include <pcl_spiral/features/impl/boundary_loops_engine.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace pcl_spiral {
@@ -76,6 +79,58 @@ LocationSurface::findRim()
         corners.push_back(graph.blocks().point(mesh.origin(h)));
   }
   rim_ = PointBlocks(std::move(corners));
+}
+
+const PointBlocks&
+LocationSurface::edge() const
+{
+  std::call_once(edge_once_, [this] { findEdge(); });
+  return edge_;
+}
+
+double
+LocationSurface::beyondOutline(const Eigen::Vector3d& place) const
+{
+  if (edge().size() == 0)
+    return -std::numeric_limits<double>::infinity();
+  const std::uint32_t near = edge_.nearest(place), i = edge_.originalIndex(near);
+  return out_[i] + (place - edge_.position(near)).dot(outward_[i].cast<double>());
+}
+
+void
+LocationSurface::findEdge() const
+{
+  constexpr int along = 8, beyond = 2; // places per spacing, and per half a spacing
+  std::vector<BoundaryLoop> loops;
+  if (!surface_ || !findBoundaryLoops(*surface_, {}, loops).ok())
+    return;
+  const double spacing = surface_->spacing();
+  std::vector<Eigen::Vector3f> places;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.type == LoopType::ScanGap)
+      continue;
+    std::vector<SurfaceFoot> feet;
+    surface_->fit().project(loop.curve, feet);
+    for (std::size_t i = 0; i < loop.curve.size(); ++i) {
+      const std::size_t next = (i + 1) % loop.curve.size();
+      if (!feet[i].valid || !feet[next].valid)
+        continue;
+      const Eigen::Vector3d way = loop.curve[next] - loop.curve[i];
+      const int steps = std::max(1, static_cast<int>(std::ceil(along * way.norm() / spacing)));
+      for (int k = 0; k < steps; ++k) {
+        const double f = static_cast<double>(k) / steps;
+        const Eigen::Vector3d normal = (1.0 - f) * feet[i].normal + f * feet[next].normal;
+        const Eigen::Vector3d outward = way.cross(normal).normalized(); // the surface is on the left of the loop
+        for (int j = 0; j <= beyond; ++j) {
+          const double out = 0.5 * spacing * j / beyond;
+          places.push_back((loop.curve[i] + f * way + out * outward).cast<float>());
+          outward_.push_back(outward.cast<float>());
+          out_.push_back(static_cast<float>(out));
+        }
+      }
+    }
+  }
+  edge_ = PointBlocks(std::move(places));
 }
 
 void

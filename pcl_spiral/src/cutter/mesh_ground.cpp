@@ -60,29 +60,12 @@ MeshGround::findAsked(const AskedLocation& asked, PatchPlace& place) const
   return asked.asks && asked.contact.touches && mesh_.faces().nearest(asked.position, near(), sag_, place);
 }
 
-/** If the given contact is reached, use it, raised with the cutter within the tolerance. Otherwise the normal of a ball is the way from
- *  its contact to its middle: for a contact known to the sag of a face, or on an edge, this is better than the normal of the face. */
-void
-MeshGround::settleContact(const AskedLocation& asked, double height, ToolLocation& location) const
-{
-  if (location.state == LocationState::Reached) {
-    location.contact = asked.position + height * location.axis;
-    location.normal = asked.normal;
-    return;
-  }
-  const CutterShape& cutter = profile_.shape();
-  const Eigen::Vector3d out = location.tip + cutter.radius * location.axis - location.contact;
-  const bool at_ball = cutter.corner_radius == cutter.radius && cutter.flank_angle == 0.0 && out.dot(location.axis) > 0.0;
-  if (at_ball && location.state != LocationState::Clear && std::abs(out.norm() - cutter.radius) < 0.1 * cutter.radius)
-    location.normal = out.normalized();
-}
-
 void
 MeshGround::settle(const AskedLocation& asked, double height, ToolLocation& location) const
 {
   height = asked.settle(height, options_.tolerance, location);
   location.tip = asked.frame.place(Eigen::Vector2d::Zero(), height);
-  settleContact(asked, height, location);
+  asked.settleContact(profile_, height, location);
   asked.findRim(rim_drop_, profile_.radius(), height, location);
   location.collision = findCollision(mesh_.faces(), holder_, asked.frame, height, options_.tolerance, sag_);
   const auto find = [&](const HolderProfile& tool) {

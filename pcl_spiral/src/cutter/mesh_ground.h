@@ -33,7 +33,6 @@ public:
 private:
   MeshContact highest(const AxisFrame& frame) const;
   ToolLocation resolve(const AskedLocation& asked) const;
-  void settleContact(const AskedLocation& asked, double height, ToolLocation& location) const;
   void settle(const AskedLocation& asked, double height, ToolLocation& location) const;
   /** Set the face and place that the cutter touches. */
   void touch(std::uint32_t face, const Eigen::Vector3d& weights, const Eigen::Vector3d& contact, ToolLocation& location) const;

@@ -29,7 +29,7 @@ fits(const ToolLocation& location, double slack)
 
 /** A place of a pass. */
 struct SmoothRetilt::Place {
-  DrivePoint contact; ///< asked for, or touched; without a normal the tip
+  DrivePoint contact; ///< asked for, or touched
   AxisWithSides frame;
   bool asks = false;                   ///< for the contact
   bool wants = false;                  ///< to be turned
@@ -52,8 +52,8 @@ SmoothRetilt::placeOf(const DrivePoint& drive, const ToolLocation& location, con
   Place place{drive, before ? before->frame.movedTo(axis) : AxisWithSides(axis)};
   place.asks = drive.asksForContact();
   if (!place.asks)
-    place.contact = {location.normal.isZero(0.0) ? location.tip : location.contact, axis, location.normal};
-  place.slack = place.contact.asksForContact() ? ground_.slackAt(place.contact) : 0.0;
+    place.contact = {location.contact, axis, location.normal};
+  place.slack = ground_.slackAt(place.contact);
   place.wants = isWanting(location) && !fits(location, place.slack);
   return place;
 }
@@ -100,7 +100,7 @@ SmoothRetilt::tryTurns(Place& place) const
   const DrivePoint& contact = place.contact;
   place.free.assign(disc_.size(), 1);
   place.free[0] = !place.wants;
-  for (std::size_t k = 1; k < disc_.size() && contact.asksForContact(); ++k)
+  for (std::size_t k = 1; k < disc_.size(); ++k)
     place.free[k] = ground_.clears({contact.position, place.frame.turned(disc_[k]), contact.normal}, place.slack, holder_);
 }
 

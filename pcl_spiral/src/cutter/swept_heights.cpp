@@ -80,26 +80,57 @@ SweptHeights::cuts(const Move& move, const Vector3d& x) const
   return false;
 }
 
+template <typename Visit>
+void
+SweptHeights::visitNear(const Vector3d& x, const Visit& visit) const
+{
+  const Cell middle = cellOf(x);
+  for (std::int64_t i = 0; i < 27; ++i)
+    if (const auto cell = cells_.find({middle[0] + i % 3 - 1, middle[1] + i / 3 % 3 - 1, middle[2] + i / 9 - 1}); cell != cells_.end())
+      for (const std::uint32_t m : cell->second)
+        visit(moves_[m]);
+}
+
 double
 SweptHeights::over(const Vector3d& x, const Vector3d& normal, double most) const
 {
   double least = most;
-  const Cell middle = cellOf(x);
-  for (std::int64_t i = 0; i < 27; ++i) {
-    const auto cell = cells_.find({middle[0] + i % 3 - 1, middle[1] + i / 3 % 3 - 1, middle[2] + i / 9 - 1});
-    if (cell == cells_.end())
-      continue;
-    for (const std::uint32_t m : cell->second) {
-      if (!cuts(moves_[m], x + least * normal))
-        continue;
-      double low = -most, high = least;
-      for (int k = 0; k < halvings; ++k) {
-        const double height = 0.5 * (low + high);
-        (cuts(moves_[m], x + height * normal) ? high : low) = height;
-      }
-      least = high;
+  visitNear(x, [&](const Move& move) {
+    if (!cuts(move, x + least * normal))
+      return;
+    double low = -most, high = least;
+    for (int k = 0; k < halvings; ++k) {
+      const double height = 0.5 * (low + high);
+      (cuts(move, x + height * normal) ? high : low) = height;
     }
+    least = high;
+  });
+  return least;
+}
+
+/** The distance of a place from a cutter that moves straight is convex along the move: sought by thirds. */
+double
+SweptHeights::distance(const Move& move, const Vector3d& x) const
+{
+  const auto at = [&](double s) {
+    const Vector3d axis = (move.from.axis + s * (move.to.axis - move.from.axis)).normalized();
+    const CutterTouch touch = profile_.touchAt(move.from.tip + s * (move.to.tip - move.from.tip), axis, x, Vector3d::Zero());
+    return (touch.place - x).dot(touch.normal);
+  };
+  double low = 0.0, high = 1.0;
+  for (int k = 0; k < thirds; ++k) {
+    const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+    const bool nearer = at(a) < at(b);
+    (nearer ? high : low) = nearer ? b : a;
   }
+  return std::max(0.0, std::min({at(0.0), at(0.5 * (low + high)), at(1.0)}));
+}
+
+double
+SweptHeights::distance(const Vector3d& x, double most) const
+{
+  double least = most;
+  visitNear(x, [&](const Move& move) { least = std::min(least, distance(move, x)); });
   return least;
 }
 

@@ -23,6 +23,10 @@ public:
   /** Least height above \p x along \p normal (unit) that is cut, mm, from -\p most; \p most if none is below it. */
   double over(const Eigen::Vector3d& x, const Eigen::Vector3d& normal, double most) const;
 
+  /** Distance of \p x from what is cut, mm, up to \p most; 0 in it. In a corner that the cutter does not reach this is the material left,
+   *  where the height along a wall's normal is the way along the wall beside it. */
+  double distance(const Eigen::Vector3d& x, double most) const;
+
 private:
   struct Move {
     CutterPlace from, to;
@@ -34,6 +38,10 @@ private:
 
   Cell cellOf(const Eigen::Vector3d& x) const;
   bool cuts(const Move& move, const Eigen::Vector3d& x) const;
+  double distance(const Move& move, const Eigen::Vector3d& x) const;
+  /** \p visit gets the number of each move that may cut near \p x. */
+  template <typename Visit>
+  void visitNear(const Eigen::Vector3d& x, const Visit& visit) const;
 
   CutterProfile profile_;
   double length_;

@@ -29,6 +29,7 @@ curveOf(const Job& job, Result& result)
 {
   ReadOptions read = readAsScan(job.read);
   read.columns.clear();
+  read.skip_lines = 0;
   const Scan curve = readCloud(job.curve_file, read);
   Polyline points;
   for (const pcl::PointXYZ& p : *curve.cloud)
@@ -124,7 +125,7 @@ planned(const Job& job, ProgressBar& bar)
   leaveOut(job, located, result);
   requireNoCollision(job, located);
   requireKnownEnd(job, located);
-  takePoses(CutterProfile(job.cutter), located, result);
+  takePoses(located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no pass has two cutter locations over the part; check the drive path and the tool axis");
   requireFreePasses(job, result);

@@ -75,7 +75,8 @@ meantPlaces(const Job& job, const Surface::ConstPtr& surface, const Result& resu
   return places;
 }
 
-/** What is left over each place; twice the radius of the cutter if nothing is cut below that. */
+/** What is left over each place: the height along its normal, or, where that is more than asked for, the distance from what is cut, which
+ *  is less in a corner; twice the radius of the cutter if nothing is cut below that height. */
 std::vector<double>
 leftOver(const std::vector<Place>& places, const Job& job, const Result& result)
 {
@@ -85,12 +86,16 @@ leftOver(const std::vector<Place>& places, const Job& job, const Result& result)
     for (const ToolPose& pose : pass)
       passes.back().push_back({pose.tip, pose.axis});
   }
+  const double nothing = 2.0 * job.cutter.radius;
   const CutterProfile cutter(job.cutter);
   const SweptHeights swept(cutter, toolLength(cutter, job.holder), passes);
   std::vector<double> left(places.size());
 #pragma omp parallel for schedule(dynamic, 64)
-  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(places.size()); ++i)
-    left[i] = swept.over(places[i].x, places[i].normal, 2.0 * job.cutter.radius);
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(places.size()); ++i) {
+    left[i] = swept.over(places[i].x, places[i].normal, nothing);
+    if (left[i] > job.scallop && left[i] < nothing)
+      left[i] = swept.distance(places[i].x, left[i]);
+  }
   return left;
 }
 
@@ -99,8 +104,9 @@ remedyOf(const Job& job, const Result& result, double height)
 {
   const bool can_keep = job.drive.kind == DriveKind::Planes && job.drive.rows == DriveRows::Even && !job.mesh &&
                         job.drive.axisMode() != DriveAxisMode::Cylinder;
-  return textOf(can_keep ? "use --rows kept" : "take a cutter with a smaller radius", ", ask for --scallop ", more * height,
-                ", or give --step-over ", result.drive.step_over, " instead, which promises no height");
+  const std::string higher = more * height < job.cutter.radius ? textOf(", ask for --scallop ", more * height) : ""; // else refused
+  return textOf(can_keep ? "use --rows kept" : "take a cutter with a smaller radius", higher, ", or give --step-over ",
+                result.drive.step_over, " instead, which promises no height");
 }
 
 /** Whether rows are even or kept over all of a scan, and nothing else says what they leave out. */

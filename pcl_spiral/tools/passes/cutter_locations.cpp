@@ -19,20 +19,6 @@ locationsWere(std::size_t count)
   return count == 1 ? " location was" : " locations were";
 }
 
-/** Without a fit, the surface's normal is that of the cutter at the contact. */
-Eigen::Vector3d
-normalAt(const CutterProfile& cutter, const ToolLocation& location)
-{
-  if (location.normal.squaredNorm() > 0.5)
-    return location.normal;
-  const Eigen::Vector3d from_tip = location.contact - location.tip;
-  const Eigen::Vector3d across = from_tip - from_tip.dot(location.axis) * location.axis;
-  const double l = std::min(across.norm(), cutter.radius());
-  const Eigen::Vector2d out = cutter.normal(l);
-  const Eigen::Vector3d side = l > 0.0 ? Eigen::Vector3d(across.normalized()) : Eigen::Vector3d(Eigen::Vector3d::Zero());
-  return -(out.x() * side + out.y() * location.axis).normalized();
-}
-
 } // namespace
 
 std::vector<ToolLocations>
@@ -109,7 +95,7 @@ requireKnownEnd(const PassJob& job, const std::vector<ToolLocations>& located)
 }
 
 void
-takePoses(const CutterProfile& cutter, const std::vector<ToolLocations>& located, PassResult& result)
+takePoses(const std::vector<ToolLocations>& located, PassResult& result)
 {
   for (const ToolLocations& pass : located) {
     ToolPoses poses;
@@ -127,7 +113,7 @@ takePoses(const CutterProfile& cutter, const std::vector<ToolLocations>& located
       }
       if (!poses.empty())
         result.length += (location.tip - poses.back().tip).norm();
-      poses.push_back({location.tip, location.axis, location.contact, normalAt(cutter, location)});
+      poses.push_back({location.tip, location.axis, location.contact, location.normal});
     }
     close();
   }

@@ -27,7 +27,7 @@ void requireNoCollision(const PassJob& job, const std::vector<pcl_spiral::ToolLo
 void requireKnownEnd(const PassJob& job, const std::vector<pcl_spiral::ToolLocations>& located);
 
 /** Puts the passes into \p result without the locations off the part; a pass is cut in two there. */
-void takePoses(const pcl_spiral::CutterProfile& cutter, const std::vector<pcl_spiral::ToolLocations>& located, PassResult& result);
+void takePoses(const std::vector<pcl_spiral::ToolLocations>& located, PassResult& result);
 
 /** Adds the warnings about the locations. */
 void warnOfLocations(const PassJob& job, PassResult& result);

@@ -134,7 +134,7 @@ takeCutter(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& 
   const std::vector<ToolLocations> located = locateCutter(job, surface, rows, bar, result);
   requireNoCollision(job, located);
   requireKnownEnd(job, located);
-  takePoses(CutterProfile(job.cutter), located, result);
+  takePoses(located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no row has two cutter locations over the part: check that lines and scan are in the same coordinates");
   requireFreePasses(job, result);

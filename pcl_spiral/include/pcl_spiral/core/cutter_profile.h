@@ -56,6 +56,12 @@ struct CutterContact {
   double excess_angle = 0.0; ///< degrees by which the axis must lean towards the normal before the flank can touch
 };
 
+/** Where a surface touches a cutter. */
+struct CutterTouch {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();   ///< on the cutter
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< unit, of the surface, into the cutter: of a ball (centre - place) / R
+};
+
 /** Exact profile of a cutter of revolution.
  *
  *  R1 = R - L sin alpha, R2 = R1 - r cos alpha, H = r - r sin alpha. Height above the tip at the distance l from the axis:
@@ -91,6 +97,11 @@ public:
   /** Location of the tip for a contact at \p point of a surface with \p normal (unit, out of the material), with the tool along
    *  \p axis (unit, tip to shank): tip = point + l u - z axis, where u is the direction of the normal across the axis. */
   CutterContact locate(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Eigen::Vector3d& axis) const;
+
+  /** The reverse of locate: what touches the cutter with its tip at \p tip, along \p axis, next to \p point. The normal is that of the
+   *  cutter; only at a sharp edge it is \p normal, of the surface or zero, limited to what can touch there. */
+  CutterTouch touchAt(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis, const Eigen::Vector3d& point,
+                      const Eigen::Vector3d& normal) const;
 
 private:
   CutterShape shape_;

@@ -66,8 +66,9 @@ struct HolderCollision {
 struct ToolLocation {
   Eigen::Vector3d tip = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); ///< of the cutter; not a number with NoCloud
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();                                           ///< unit, from the tip to the shank
-  Eigen::Vector3d contact = Eigen::Vector3d::Zero(); ///< the first place the cutter touches: on the surface, or a point of the scan
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the fitted surface or the mesh at the contact; zero if there is none
+  Eigen::Vector3d contact = Eigen::Vector3d::Zero(); ///< the place of the cutter that touches first: the surface, or a point of the scan
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, at the contact, into the cutter: of a ball (centre - contact) / R; see
+                                                     ///< CutterProfile::touchAt. Zero with NoCloud
   LocationState state = LocationState::NoCloud;      ///< result of the location
   LocationBasis basis = LocationBasis::Points;       ///< data that gave its height
   double lift = 0.0;             ///< height above the place where the cutter touches at the contact asked for. Negative if

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ public:
    *  longer than eight spacings. Beyond them, or in the gap they bound, nothing is known. */
   const PointBlocks& rim() const { return rim_; }
 
+  /** The edge of the surface, continued straight by half a spacing beyond its outlines, not into gaps in the data: places a quarter
+   *  of a spacing apart and closer. A cutter that would touch farther out rests on it. Found on the first call; empty if the outlines
+   *  are not. */
+  const PointBlocks& edge() const;
+  /** How far a place next to the outlines lies beyond the nearest of them, mm; negative inside. Minus infinity without outlines. */
+  double beyondOutline(const Eigen::Vector3d& place) const;
+
   /** How far single points may stand above the surface fitted to them,
    *  measured along its normal: five standard deviations of their noise, plus
    *  the rounding of coordinates. A point higher than that is not noise. */
@@ -54,10 +62,15 @@ public:
 
 private:
   void measure();
+  void findEdge() const;
   void findRim();
   void findCoveringRadii();
 
   PointBlocks obstacles_, rim_;
+  mutable PointBlocks edge_;
+  mutable std::vector<Eigen::Vector3f> outward_; ///< at each place of the edge, unit
+  mutable std::vector<float> out_;               ///< of each place of the edge: mm beyond the outline
+  mutable std::once_flag edge_once_;
   std::vector<std::uint32_t> source_;
   Surface::ConstPtr surface_;
   Status surface_status_;
