@@ -63,11 +63,11 @@ private:
   std::vector<std::string> warnings_;
 };
 
-/** The most, mm, by which the surface behind face \p t may lie off it, as the bends of the mesh about its corners tell: of an arc with
- *  chords w the curvature is theta / w, where theta is the angle between the faces at an edge and w the height of the smaller one over it,
- *  and the sagitta of the face is its width across the edge squared, times the curvature, over 8; twice the largest of these, as the
- *  surface may bend as much in the other direction. A face more than four times as wide does not bend with the faces beside it, and edges that
- *  are creases are not looked at. Zero for a face that is flat, SurfaceMesh::isFlat(). */
+/** The most, mm, by which the surface behind face \p t may lie off it, as the bends of the mesh about its corners tell. Of an arc
+ *  with chords w the curvature is theta / w, where theta is the angle between the faces at an edge and w the height of the smaller one
+ *  over it; the sagitta of the face is its width across the edge squared, times the curvature, over 8. Twice the largest of these, as
+ *  the surface may bend as much in the other direction. A face more than four times as wide does not bend with the faces beside it,
+ *  and edges that are creases are not looked at. Zero for a face that is flat, SurfaceMesh::isFlat(). */
 double bendDepth(const SurfaceMesh& mesh, std::size_t t);
 
 } // namespace pcl_spiral
