@@ -103,6 +103,12 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, con
   for (const std::string& fault :
        faultsBeside(part, reference->scanned(), judged.path, settings, allowed, judged.verification.removal.warnings))
     judged.verification.broken.push_back(fault);
+  if (!job.raw_scan.empty()) {
+    const RawScanFigures raw = rawScanFigures(job.raw_scan, job.read, reference->scanned());
+    judged.verification.removal.warnings.push_back(smoothingText(raw, job.raw_scan));
+    if (const std::string fault = faultInRaw(raw, judged.path, settings, job.limits.gouge.value_or(allowed)); !fault.empty())
+      judged.verification.broken.push_back(fault);
+  }
   judged.verification.unproven = inOptions(unprovenLimits(job.limits, judged.verification));
   return judged;
 }

@@ -332,6 +332,40 @@ TEST_F(CommandLine, LinesAtTheBeginningAreSkippedAsTheMessageSays)
                 {"--skip-lines -1", "0 lines or more"});
 }
 
+/** A bump of 2 mm that smoothing took away: said by each program; a judged path that cuts into it fails. */
+TEST_F(CommandLine, TheRawScanBesideTheSmoothedOneIsHeeded)
+{
+  std::vector<Point> raw = cap(6000);
+  for (Point& p : raw)
+    p[2] += 2.0 * std::exp(-(p[0] * p[0] + (p[1] - 15.0) * (p[1] - 15.0)) / 20.0);
+  writeText(folder_.path("raw.xyz"), xyz(raw));
+  const Arguments asked{"--raw-scan", "raw.xyz"};
+  const auto with = [](Arguments call, const Arguments& more) {
+    call.insert(call.end(), more.begin(), more.end());
+    return call;
+  };
+  const RunResult made = make("cap.xyz", with(asked, {"-o", "a.csv"}));
+  EXPECT_EQ(made.code, 0) << made.err;
+  expectHas(made.err, "which is not noise: the shape was changed there");
+  expectHas(made.err, "mm into the raw scan at (");
+  const RunResult judged = make("cap.xyz", with(asked, {"-o", "b.csv", "--verify"}));
+  EXPECT_EQ(judged.code, 1);
+  expectHas(judged.err, "smooth with a smaller radius");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("b.csv")));
+  const Arguments verify{"cap.xyz", "a.csv", "--tool-radius", "3", "--scallop", "0.02", "--max-gouge", "0.1"};
+  EXPECT_EQ(endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, verify, folder_), folder_).code, 0);
+  EXPECT_EQ(endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, with(verify, asked), folder_), folder_).code, 1);
+  const RunResult passes = endOf(
+      startProgram(PCL_SPIRAL_DRIVE_PROGRAM, with({"cap.xyz", "--tool-radius", "3", "--step-over", "2", "-o", "d.csv"}, asked), folder_),
+      folder_);
+  EXPECT_EQ(passes.code, 0);
+  expectHas(passes.err, "the shape was changed there");
+  expectRefused(with({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "c.csv"}, {"--raw-scan", "none.xyz"}), 1, {"none.xyz"});
+  writeText(folder_.path("far.xyz"), xyz(cap(500, 900.0)));
+  expectRefused(with({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "c.csv"}, {"--raw-scan", "far.xyz"}), 1,
+                {"far.xyz", "is it another part, or another unit?"});
+}
+
 TEST_F(CommandLine, UnitsAndThreadsDoNotChangeThePath)
 {
   std::vector<Point> metres = cap(6000);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 #include "job_check.h"
+#include "judging/raw_scan_option.h"
 #include "passes/pass_options.h"
 #include "program/program_options.h"
 #include "terminal/command_line.h"
@@ -36,6 +37,7 @@ files(Job& job)
                     job.mesh_settings.crease_angle),
        switchOption("flip-normals", "the cutter is on the other side of the scan or mesh", job.mesh_settings.flip),
        placeOption("view-point", view_point_help, job.view_point)}};
+  addOptions(group, {textOption("raw-scan", "FILE", raw_scan_help, job.raw_scan)});
   addOptions(group, readOptions(job.read));
   addOptions(group, scanOptions(job));
   addOptions(group, regionOptions(job.choice, job.regions));

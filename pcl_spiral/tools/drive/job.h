@@ -20,6 +20,7 @@ struct Job : PassJob {
   bool no_gouge_check = false; ///< put the cutter at the contacts of a mesh without checking the rest of it
   pcl_spiral::DriveSettings drive;
   std::string curve_file;
+  std::string raw_scan;                                    ///< before it was smoothed; empty: not given
   std::optional<Eigen::Vector3d> column_axis;              ///< direction; found from the scan if not given
   Eigen::Vector3d column_centre = Eigen::Vector3d::Zero(); ///< a place on it
   double scallop = 0.0;                                    ///< instead of a step-over

@@ -83,8 +83,8 @@ completeScallop(Job& job)
 void
 requireMeshMeant(const Job& job)
 {
-  for (const char* option :
-       {"columns", "skip-lines", "leave-out-strays", "largest", "thin", "view-point", "part-at", "region", "crop", "keep-out", "clusters"})
+  for (const char* option : {"columns", "skip-lines", "raw-scan", "leave-out-strays", "largest", "thin", "view-point", "part-at", "region",
+                             "crop", "keep-out", "clusters"})
     if (job.mesh && isGiven(job, option))
       throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh uses the faces of a mesh; leave one of them out");
   for (const char* option : {"crease-angle", "no-gouge-check"})
@@ -164,7 +164,7 @@ completeJob(Job& job)
   completeCutter(job);
   completePath(job);
   checkTool(job);
-  std::vector<InputName> inputs{{"the scan", job.scan}, {"the curve", job.curve_file}};
+  std::vector<InputName> inputs{{"the scan", job.scan}, {"the curve", job.curve_file}, {"the raw scan", job.raw_scan}};
   for (const std::string& file : job.regions.polygons)
     inputs.push_back({"a region", file});
   checkOutputs(job, filesOf(job), inputs, {".html"});

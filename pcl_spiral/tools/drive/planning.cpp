@@ -2,6 +2,7 @@
 #include "planning.h"
 #include "column_ends.h"
 #include "joined_drives.h"
+#include "judging/raw_scan_option.h"
 #include "mesh_part.h"
 #include "passes/cutter_locations.h"
 #include "passes/free_passes.h"
@@ -117,6 +118,9 @@ planned(const Job& job, ProgressBar& bar)
     surface = heedClusters(job, bar, readScan(job, bar, result, clock), result);
     warnOfSide(job, result);
   }
+  if (!job.raw_scan.empty() && surface)
+    result.warnings.push_back(smoothingText(rawScanFigures(job.raw_scan, job.read, *surface), job.raw_scan) +
+                              "; pcl_spiral_verify --raw-scan judges the path by it");
   const DrivePasses passes = drivePasses(job, surface, bar, result);
   clock.end("drive path");
   std::vector<ToolLocations> located = job.no_gouge_check ? standAtContacts(job, passes) : locateCutter(job, surface, passes, bar, result);

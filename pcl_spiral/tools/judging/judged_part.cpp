@@ -157,3 +157,14 @@ faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointC
   requireClear(reference.riddenPoints(), ", where a cluster of points stands on the part");
   return faults;
 }
+
+std::string
+faultInRaw(const RawScanFigures& raw, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, double allowed)
+{
+  std::string words;
+  const auto cut = cutBeside(raw.means, path, settings, words);
+  if (!cut || cut->depth <= allowed + raw.leastMean())
+    return "";
+  return textOf(words, " cuts ", cut->depth, " mm into the raw scan at ", placeText(cut->place),
+                ", where smoothing moved it: smooth with a smaller radius");
+}

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "judge_options.h"
+#include "raw_scan_option.h"
 #include "terminal/region_choice.h"
 
 #include <string>
@@ -36,6 +37,10 @@ std::vector<JudgedPart> readParts(const std::string& file, const pcl_spiral::Rea
 
 /** How far the tool axis leans from the normals of \p path, degrees: all but one point in a hundred lean less. */
 double leanOf(const pcl::PointCloud<pcl_spiral::ToolpathPoint>& path);
+
+/** What is wrong where the path cuts into the \p raw scan, deeper than \p allowed and the noise of its means. Empty: nothing. */
+std::string faultInRaw(const pcl_spiral::RawScanFigures& raw, const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
+                       const JudgeSettings& settings, double allowed);
 
 /** What is wrong where the path meets the limits of the part: its cutter enters a keep-out, or cuts into what stands there, into the scan
  *  beside, into the parts that \p reference leaves out, or into a cluster that stands on it. Empty: nothing. \p settings: cutter and tips.

@@ -24,6 +24,7 @@ struct Job {
   NamedValues options;         ///< those options with their values, for the report
   std::string command;         ///< the call as typed
   std::string scan;
+  std::string raw_scan; ///< before it was smoothed; empty: not given
   std::string config_file;
   std::vector<std::string> outputs;
   std::string reach;              ///< file for the map of the largest balls that reach the points; empty: none

@@ -65,7 +65,7 @@ checkMesh(const Job& job)
   if (const std::string extension = extensionOf(job.scan);
       !extension.empty() && std::find(known.begin(), known.end(), extension) == known.end())
     throw UsageError(job.scan + ": --mesh reads .stl .obj and .ply, and '" + extension + "' holds no faces; for points leave --mesh out");
-  for (const char* option : {"columns", "skip-lines", "view-point", "thin", "outliers", "crop", "region", "keep-out"})
+  for (const char* option : {"columns", "skip-lines", "raw-scan", "view-point", "thin", "outliers", "crop", "region", "keep-out"})
     if (job.given.count(option) > 0)
       throw UsageError(std::string("--") + option + " belongs to scans, and --mesh is given: " +
                        (std::string(option) == "view-point" ? "the faces define the side (--flip-normals turns them); " : "") +
@@ -98,7 +98,10 @@ checkOutputs(const Job& job)
   checkStockFiles(job.stock);
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    requireNoInput(files[i], {{"the scan", job.scan}, {"the machine's file", job.program.machine_file}, {"the job file", job.config_file}});
+    requireNoInput(files[i], {{"the scan", job.scan},
+                              {"the raw scan", job.raw_scan},
+                              {"the machine's file", job.program.machine_file},
+                              {"the job file", job.config_file}});
     requireNoInput(files[i], polygonFiles(job.part, job.regions));
     if (std::find(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), files[i]) !=
         files.begin() + static_cast<std::ptrdiff_t>(i))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_table.h"
+#include "judging/raw_scan_option.h"
 #include "judging/stock_option.h"
 #include "program/holder_options.h"
 #include "program/program_options.h"
@@ -65,6 +66,7 @@ files(Job& job)
           job.stock.push_back(value);
           job.verify = true;
         }},
+       textOption("raw-scan", "FILE", raw_scan_help, job.raw_scan),
        textOption("config", "FILE",
                   "job file in YAML with these option names (tool-radius: 10), or the .json report of a run, which is then made "
                   "again; the command line has priority: --config job.yaml",

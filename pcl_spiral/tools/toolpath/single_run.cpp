@@ -121,7 +121,7 @@ choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageC
   const bool echoes = !job.holder.empty() && job.part.clusters == ClusterHandling::LeaveOut;
   const bool apart =
       !result.part.beside.empty() || job.part.part_at || job.settings.largest_part || job.part.clusters == ClusterHandling::Ride || echoes;
-  if (!job.mesh && job.reach.empty() && !apart && !(job.verify && judgedByTheSameSurface(job.settings)))
+  if (!job.mesh && job.reach.empty() && job.raw_scan.empty() && !apart && !(job.verify && judgedByTheSameSurface(job.settings)))
     return;
   result.surface = surfaceOf(job, result, bar);
   if (result.mesh)
@@ -208,6 +208,7 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
     for (const std::string& warning : viewPointWarnings(result.side, result.report.side))
       result.report.warnings.push_back(warning);
   checkWay(job, result);
+  checkRawScan(job, result);
   checkHolder(job, result);
   for (std::string& warning : result.report.warnings)
     warning = inWords(job, warning);

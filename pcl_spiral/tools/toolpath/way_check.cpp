@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "way_check.h"
 
+#include "judging/raw_scan_option.h"
+
 #include <pcl_spiral/common/impl/message.h>
 
 #include "verify/ball_way.h"
@@ -115,4 +117,22 @@ checkWay(const Job& job, Result& result)
                                      ": enlarge the polygon there by that much (--keep-out)", lessTilt(job, result, isFree)));
   }
   checkBeside(job, allowed, result);
+}
+
+void
+checkRawScan(const Job& job, Result& result)
+{
+  constexpr double deviations = 5.0; // of the noise, as above
+  if (job.raw_scan.empty())
+    return;
+  const RawScanFigures raw = rawScanFigures(job.raw_scan, job.read, *result.surface);
+  result.report.warnings.push_back(smoothingText(raw, job.raw_scan));
+  const auto cut = deepestPoint(*result.path, job.settings.tool_radius, raw.means);
+  if (!cut || cut->depth <= job.settings.chord_error + deviations * result.report.noise + raw.leastMean())
+    return;
+  const std::string text = textOf("the ball cuts ", cut->depth, " mm into the raw scan at ", placeText(cut->place),
+                                  ", where smoothing moved it: smooth with a smaller radius");
+  if (job.verify)
+    throw FileError(job.scan, "the path was made, but " + text);
+  result.report.warnings.push_back(text);
 }

@@ -27,3 +27,7 @@ private:
  *  \throw EntersKeepOut
  *  \throw pcl_spiral::FileError if the shank cuts into what stands in a keep-out, or ball or shank into the scan beside the part */
 void checkWay(const Job& job, Result& result);
+
+/** Says what smoothing moved, if there is a raw scan, and warns where the ball cuts into its points.
+ *  \throw pcl_spiral::FileError if it does and the path is judged (--verify); if the raw scan cannot be read */
+void checkRawScan(const Job& job, Result& result);

@@ -43,6 +43,7 @@ allOptions()
                  ".png  picture of the deviation, of a single path; also NAME_stock.png: stock map, and NAME_histogram.png: heights of "
                  "the scallops\n"
                  ".vtp  a single path with the point data Deviation and Scallop, mm")("stock", values("FILE"), stock_help);
+  files.add_options()("raw-scan", value("FILE"), raw_scan_help);
   addScanOptions(files);
   addPartOptions(files);
   addMeshOptions(files);
@@ -64,6 +65,8 @@ refuseInputs(const VerifyJob& job)
 {
   std::vector<std::string> inputs = job.paths;
   inputs.push_back(job.scan);
+  if (!job.raw_scan.empty())
+    inputs.push_back(job.raw_scan);
   if (!job.machine_file.empty())
     inputs.push_back(job.machine_file);
   std::error_code error;
@@ -109,6 +112,7 @@ check(const VerifyJob& job, bool radius_given)
   checkStockFiles(job.stock);
   require(job.stock.empty() || job.paths.size() == 1,
           "--stock: shows what one path leaves, and " + std::to_string(job.paths.size()) + " are given; give only one path");
+  require(job.raw_scan.empty() || !job.mesh, "--raw-scan belongs to scans, and --mesh is given: leave one of the two out");
   checkPrograms(job);
   refuseInputs(job);
 }
@@ -139,6 +143,8 @@ fromMap(const po::variables_map& given)
     job.stock = given["stock"].as<std::vector<std::string>>();
   if (given.count("machine") > 0)
     job.machine_file = given["machine"].as<std::string>();
+  if (given.count("raw-scan") > 0)
+    job.raw_scan = given["raw-scan"].as<std::string>();
   if (given.count("dialect") > 0)
     job.dialect = choiceValue<Dialect>("dialect", given["dialect"].as<std::string>());
   job.read = scanOptions(given);

@@ -21,6 +21,7 @@
 struct VerifyJob {
   std::string command; ///< the call as typed
   std::string scan;
+  std::string raw_scan; ///< before it was smoothed; empty: not given
   std::vector<std::string> paths;
   std::vector<std::string> outputs; ///< .json .html .png .vtp
   std::vector<std::string> stock;   ///< files for the surface after cutting: .ply .stl
