@@ -141,6 +141,25 @@ TEST(StandingClusters, AreRefusedWithPlaceSizeAndHeight)
       }
 }
 
+/** The ridge of a roof on a grid, one point wide: an edge is neither taken off nor left out. */
+TEST(StandingClusters, ALineOfPointsIsCalledAnEdge)
+{
+  for (const double slope : {30.0, 40.0, 45.0}) {
+    const double fall = std::tan(slope * M_PI / 180.0);
+    const Cloud::Ptr roof(new Cloud);
+    for (int i = -40; i <= 40; ++i)
+      for (int j = -40; j <= 40; ++j)
+        add(*roof, Eigen::Vector3d(i, j, -fall * std::abs(i)));
+    const Status status = statusOf(roof);
+    ASSERT_EQ(status.code(), StatusCode::InvalidInput) << slope;
+    const std::string& message = status.message();
+    EXPECT_NE(message.find("points in one line are an edge of the part that has too few points, or a wire"), std::string::npos) << message;
+    EXPECT_NE(message.find("ride over it (setClusterHandling with Ride)"), std::string::npos) << message;
+    EXPECT_EQ(message.find("leave the points out"), std::string::npos) << message;
+    EXPECT_TRUE(statusOf(roof, ClusterHandling::Ride).ok());
+  }
+}
+
 TEST(StandingClusters, AThingThatHidesTheSurfaceIsOneClusterOfAllItsPoints)
 {
   // Its middle is far from all that is seen of the dome.

@@ -323,14 +323,42 @@ Status
 refusalOf(const std::vector<StandingCluster>& clusters, double spacing)
 {
   const bool hide = std::any_of(clusters.begin(), clusters.end(), [](const StandingCluster& cluster) { return cluster.hides_surface; });
+  const bool line = std::any_of(clusters.begin(), clusters.end(), [&](const StandingCluster& cluster) { return isLine(cluster, spacing); });
   return {
       StatusCode::InvalidInput,
-      textOf(clustersText(clusters, spacing),
-             "; a path would go through what is there: take it off and scan again, keep the cutter out of there (addKeepOut), ride over "
-             "it (setClusterHandling with Ride)",
-             hide ? " with a ball of at least twice its height as radius" : "",
-             ", or leave the points out if they are false echoes (setClusterHandling)",
-             hide ? "; if they stand on a table or on another part, give a place on the part to be machined (setPartAt)" : "")};
+      textOf(
+          clustersText(clusters, spacing), "; a path would go through what is there: ",
+          line ? "points in one line are an edge of the part that has too few points, or a wire; scan an edge more densely, take off what "
+                 "is no part and scan again"
+               : "take it off and scan again",
+          ", keep the cutter out of there (addKeepOut), ", line ? "or " : "", "ride over it (setClusterHandling with Ride)",
+          hide ? " with a ball of at least twice its height as radius" : "",
+          line ? "" : ", or leave the points out if they are false echoes (setClusterHandling)",
+          hide ? "; if they stand on a table or on another part, give a place on the part to be machined (setPartAt)" : "")};
+}
+
+bool
+isLine(const StandingCluster& cluster, double spacing)
+{
+  constexpr std::size_t least = 8; // points
+  constexpr double reach = 3.0;    // spacings, along the line
+  constexpr double widest = 0.75;  // spacings, beside it: two rows are farther apart
+  const PointBlocks blocks(cluster.positions);
+  std::size_t wide = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    std::vector<Eigen::Vector3d> near;
+    const auto keep = [&](const Box& box) { return box.squaredDistance(blocks.point(i).data()) <= reach * reach * spacing * spacing; };
+    blocks.forBlocks(keep, [&](std::size_t b) {
+      for (std::size_t k = blocks.blockBegin(b); k < blocks.blockEnd(b); ++k)
+        if (const Eigen::Vector3d way = blocks.position(k) - blocks.position(i); way.norm() <= reach * spacing)
+          near.push_back(way);
+    });
+    const Eigen::Vector3d along = std::max_element(near.begin(), near.end(), [](const auto& a, const auto& b) {
+                                    return a.squaredNorm() < b.squaredNorm();
+                                  })->normalized();
+    wide += std::any_of(near.begin(), near.end(), [&](const Eigen::Vector3d& way) { return way.cross(along).norm() > widest * spacing; });
+  }
+  return blocks.size() >= least && 10 * wide <= blocks.size();
 }
 
 Status

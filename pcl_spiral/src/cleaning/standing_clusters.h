@@ -40,6 +40,10 @@ StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen
  *  and 5 more". The extents are wider by the \p spacing of the scan, mm: a thing ends between its last point and the next one. */
 std::string clustersText(const std::vector<StandingCluster>& clusters, double spacing);
 
+/** Whether a cluster is one point wide, in a scan of this \p spacing: an edge that has too few points, or a wire. Eight points or more,
+ *  nine in ten of them with all others within three spacings no more than 0.75 spacings beside one line. */
+bool isLine(const StandingCluster& cluster, double spacing);
+
 /** Refuses a scan of this \p spacing, mm, with \p clusters, with what can be done about them. */
 Status refusalOf(const std::vector<StandingCluster>& clusters, double spacing);
 
