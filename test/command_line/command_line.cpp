@@ -318,12 +318,15 @@ TEST_F(CommandLine, LinesAtTheBeginningAreSkippedAsTheMessageSays)
       {PCL_SPIRAL_DRIVE_PROGRAM, {"head.xyz", "--tool-radius", "3", "--step-over", "2", "-o", "b.csv"}},
       {PCL_SPIRAL_VERIFY_PROGRAM, {"head.xyz", "whole.csv", "--tool-radius", "3"}}};
   for (const auto& [name, call] : calls) {
-    const RunResult refused = endOf(startProgram(name, call, folder_), folder_);
-    EXPECT_EQ(refused.code, 1) << name;
-    const std::size_t at = refused.err.find("--skip-lines ");
-    ASSERT_NE(at, std::string::npos) << name << ": " << refused.err;
     Arguments followed = call;
-    followed.insert(followed.end(), {"--skip-lines", std::to_string(std::atoi(refused.err.c_str() + at + 13))});
+    for (int line = 1; line <= 2; ++line) {
+      const RunResult refused = endOf(startProgram(name, followed, folder_), folder_);
+      EXPECT_EQ(refused.code, 1) << name;
+      const std::size_t at = refused.err.find("--skip-lines ");
+      ASSERT_NE(at, std::string::npos) << name << ": " << refused.err;
+      followed = call;
+      followed.insert(followed.end(), {"--skip-lines", std::to_string(std::atoi(refused.err.c_str() + at + 13))});
+    }
     const RunResult done = endOf(startProgram(name, followed, folder_), folder_);
     EXPECT_EQ(done.code, 0) << name << ": " << done.err;
   }
@@ -346,11 +349,11 @@ TEST_F(CommandLine, TheRawScanBesideTheSmoothedOneIsHeeded)
   };
   const RunResult made = make("cap.xyz", with(asked, {"-o", "a.csv"}));
   EXPECT_EQ(made.code, 0) << made.err;
-  expectHas(made.err, "which is not noise: the shape was changed there");
-  expectHas(made.err, "mm into the raw scan at (");
+  EXPECT_NE(made.err.find("which is not noise: the shape was changed there"), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find("mm into the raw scan at ("), std::string::npos) << made.err;
   const RunResult judged = make("cap.xyz", with(asked, {"-o", "b.csv", "--verify"}));
   EXPECT_EQ(judged.code, 1);
-  expectHas(judged.err, "smooth with a smaller radius");
+  EXPECT_NE(judged.err.find("smooth with a smaller radius"), std::string::npos) << judged.err;
   EXPECT_FALSE(std::filesystem::exists(folder_.path("b.csv")));
   const Arguments verify{"cap.xyz", "a.csv", "--tool-radius", "3", "--scallop", "0.02", "--max-gouge", "0.1"};
   EXPECT_EQ(endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, verify, folder_), folder_).code, 0);
@@ -359,7 +362,7 @@ TEST_F(CommandLine, TheRawScanBesideTheSmoothedOneIsHeeded)
       startProgram(PCL_SPIRAL_DRIVE_PROGRAM, with({"cap.xyz", "--tool-radius", "3", "--step-over", "2", "-o", "d.csv"}, asked), folder_),
       folder_);
   EXPECT_EQ(passes.code, 0);
-  expectHas(passes.err, "the shape was changed there");
+  EXPECT_NE(passes.err.find("the shape was changed there"), std::string::npos) << passes.err;
   expectRefused(with({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "c.csv"}, {"--raw-scan", "none.xyz"}), 1, {"none.xyz"});
   writeText(folder_.path("far.xyz"), xyz(cap(500, 900.0)));
   expectRefused(with({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "c.csv"}, {"--raw-scan", "far.xyz"}), 1,

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace pcl_spiral {
@@ -16,6 +17,7 @@ constexpr int most_rounds = 12;
 constexpr double starts_apart = 2.0;     // in spacings
 constexpr double longest_step = 1.5;     // in spacings: the fit spans about three
 constexpr double still = 1e-4;           // in spacings: a contact that moves less has converged
+constexpr double noisy = 0.01;           // in spacings: five standard deviations of the points
 constexpr double steepest = 0.05;        // least cosine between normal and axis: 87 degrees
 constexpr double largest_overhang = 0.5; // in spacings: farther beyond the outermost points a fit is not reliable
 
@@ -81,10 +83,18 @@ FittedDrop::findStarts(const AxisFrame& frame, const DropContact& drop, Start* s
     std::uint32_t point;
   };
   const double spacing = surface_.surface().graph().spacing(), apart = starts_apart * spacing;
-  const double margin = spacing * spacing / std::max(profile_.cornerRadius(), spacing) + surface_.noiseAllowance();
+  const double margin = spacing * spacing / std::max(profile_.cornerRadius(), spacing);
+  const CutterDrop* on = &drop_;
+  double floor = drop.height - margin - surface_.noiseAllowance();
+  std::optional<CutterDrop> feet;
+  if (surface_.noiseAllowance() > noisy * spacing) { // the highest points are those with the most noise
+    feet.emplace(surface_.feet(), profile_, ceiling_);
+    on = &*feet;
+    const DropContact top = feet->highest(frame);
+    floor = (top.found ? top.height : floor) - margin;
+  }
   std::vector<Candidate> candidates;
-  const double floor = drop.height - margin;
-  drop_.visitAbove(frame, floor, [&](std::uint32_t point, double height) {
+  on->visitAbove(frame, floor, [&](std::uint32_t point, double height) {
     if (height >= floor)
       candidates.push_back({height, point});
   });
@@ -92,9 +102,9 @@ FittedDrop::findStarts(const AxisFrame& frame, const DropContact& drop, Start* s
     const auto top = std::max_element(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
       return a.height != b.height ? a.height < b.height : a.point > b.point;
     });
-    starts[k].query = drop_.blocks().position(top->point);
+    starts[k].query = on->blocks().position(top->point);
     starts[k].active = true;
-    const auto near = [&](const Candidate& c) { return (drop_.blocks().position(c.point) - starts[k].query).norm() < apart; };
+    const auto near = [&](const Candidate& c) { return (on->blocks().position(c.point) - starts[k].query).norm() < apart; };
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(), near), candidates.end());
   }
 }

@@ -24,13 +24,13 @@ struct FittedContact {
 
 /** Refines the contact of a cutter with the points to its contact with the moving-least-squares surface.
  *
- *  It starts from up to four of the points met first, well apart. The surface about each is the quadric of its
- *  fit; the contact with the quadric is found, the fit is repeated there, and so on until the contact converges.
- *  The highest contact counts. */
+ *  It starts from up to four of the points met first, well apart; of a scan with noise, from their places on the fit. The surface about
+ *  each is the quadric of its fit; the contact with the quadric is found, the fit is repeated there, and so on until the contact
+ *  converges. The highest contact counts. */
 class FittedDrop {
 public:
   FittedDrop(const LocationSurface& surface, const CutterProfile& profile, double ceiling)
-  : surface_(surface), profile_(profile), drop_(surface.obstacles(), profile, ceiling)
+  : surface_(surface), profile_(profile), ceiling_(ceiling), drop_(surface.obstacles(), profile, ceiling)
   {}
 
   /** One contact a frame. \p drops: the drops of the same frames on the points only. */
@@ -46,6 +46,7 @@ private:
 
   const LocationSurface& surface_;
   CutterProfile profile_;
+  double ceiling_;
   CutterDrop drop_;
 };
 

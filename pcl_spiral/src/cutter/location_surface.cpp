@@ -61,6 +61,7 @@ LocationSurface::measure()
   noise_allowance_ = standard_deviations * surface_->noise() + coordinate_rounding * magnitude;
   findRim();
   findCoveringRadii();
+  findEdge();
   dropTriangulation(surface_);
 }
 
@@ -82,27 +83,39 @@ LocationSurface::findRim()
 }
 
 const PointBlocks&
-LocationSurface::edge() const
+LocationSurface::feet() const
 {
-  std::call_once(edge_once_, [this] { findEdge(); });
-  return edge_;
+  std::call_once(feet_once_, [this] {
+    const std::vector<Eigen::Vector3f>& points = surface_->graph().blocks().points();
+    std::vector<Eigen::Vector3d> queries;
+    for (const Eigen::Vector3f& point : points)
+      queries.push_back(point.cast<double>());
+    std::vector<SurfaceFoot> found;
+    surface_->fit().project(queries, found);
+    std::vector<Eigen::Vector3f> places = points;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i].valid)
+        places[i] = found[i].position.cast<float>();
+    feet_ = PointBlocks(std::move(places));
+  });
+  return feet_;
 }
 
 double
 LocationSurface::beyondOutline(const Eigen::Vector3d& place) const
 {
-  if (edge().size() == 0)
+  if (edge_.size() == 0)
     return -std::numeric_limits<double>::infinity();
   const std::uint32_t near = edge_.nearest(place), i = edge_.originalIndex(near);
   return out_[i] + (place - edge_.position(near)).dot(outward_[i].cast<double>());
 }
 
 void
-LocationSurface::findEdge() const
+LocationSurface::findEdge()
 {
   constexpr int along = 8, beyond = 2; // places per spacing, and per half a spacing
   std::vector<BoundaryLoop> loops;
-  if (!surface_ || !findBoundaryLoops(*surface_, {}, loops).ok())
+  if (!findBoundaryLoops(*surface_, {}, loops).ok())
     return;
   const double spacing = surface_->spacing();
   std::vector<Eigen::Vector3f> places;

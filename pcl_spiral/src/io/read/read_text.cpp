@@ -139,12 +139,17 @@ private:
     takeNumbers(number);
   }
 
+  static std::string orSkip(std::size_t number)
+  {
+    return "; if it is no point, skip it (ReadOptions::skip_lines " + std::to_string(number) + ")";
+  }
+
   /** Finds the wanted columns, from the first line that is not a comment. */
   void start(bool header, std::size_t number)
   {
     started_ = true;
     const bool named_by_user = !layout_.columns.empty();
-    const std::string or_skip = "; if it is no point, skip it (ReadOptions::skip_lines " + std::to_string(number) + ")";
+    const std::string or_skip = orSkip(number);
     if (header && !named_by_user)
       names_ = namesIn(words_);
     if (words_.size() < wanted_.size())
@@ -177,7 +182,8 @@ private:
       if (!value) {
         const bool comma = word.find_first_of(", \t") != std::string_view::npos || word.substr(0, 1) == "\""; // "1,5" is cut at its comma
         throw FileError(file_,
-                        atLine(number, quoted(word) + " is not a number" + (comma ? "; write decimals with a point, not a comma" : "")));
+                        atLine(number, quoted(word) + " is not a number" + (comma ? "; write decimals with a point, not a comma" : "") +
+                                           (table_[0].empty() ? orSkip(number) : "")));
       }
       table_[c].push_back(*value);
     }

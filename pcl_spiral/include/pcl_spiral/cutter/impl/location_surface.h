@@ -40,11 +40,13 @@ public:
   const PointBlocks& rim() const { return rim_; }
 
   /** The edge of the surface, continued straight by half a spacing beyond its outlines, not into gaps in the data: places a quarter
-   *  of a spacing apart and closer. A cutter that would touch farther out rests on it. Found on the first call; empty if the outlines
-   *  are not. */
-  const PointBlocks& edge() const;
+   *  of a spacing apart and closer. A cutter that would touch farther out rests on it. Empty if no outlines are found. */
+  const PointBlocks& edge() const { return edge_; }
   /** How far a place next to the outlines lies beyond the nearest of them, mm; negative inside. Minus infinity without outlines. */
   double beyondOutline(const Eigen::Vector3d& place) const;
+
+  /** The points of the surface without their noise: their places on the fit. Found on the first call. */
+  const PointBlocks& feet() const;
 
   /** How far single points may stand above the surface fitted to them,
    *  measured along its normal: five standard deviations of their noise, plus
@@ -62,15 +64,16 @@ public:
 
 private:
   void measure();
-  void findEdge() const;
+  void findEdge();
   void findRim();
   void findCoveringRadii();
 
   PointBlocks obstacles_, rim_;
-  mutable PointBlocks edge_;
-  mutable std::vector<Eigen::Vector3f> outward_; ///< at each place of the edge, unit
-  mutable std::vector<float> out_;               ///< of each place of the edge: mm beyond the outline
-  mutable std::once_flag edge_once_;
+  PointBlocks edge_;
+  std::vector<Eigen::Vector3f> outward_; ///< at each place of the edge, unit
+  std::vector<float> out_;               ///< of each place of the edge: mm beyond the outline
+  mutable PointBlocks feet_;
+  mutable std::once_flag feet_once_;
   std::vector<std::uint32_t> source_;
   Surface::ConstPtr surface_;
   Status surface_status_;
