@@ -165,15 +165,15 @@ TEST(RobotFrames, AreReadBackAsNoetherReadsThem)
 TEST(RobotFrames, DoNotFlipInValleysAtStepsAndAtEdges)
 {
   Random random(11);
-  std::size_t jumps = 0; // of the contact, against the way
   for (int trial = 0; trial < 40; ++trial) {
-    const ToolPoses pass = rolledPass(brokenProfile(random));
+    ToolPoses pass = rolledPass(brokenProfile(random));
+    for (std::size_t i = 0; i < pass.size(); i += 7) // as between the walls of a valley that the way meets at an angle
+      pass[i].contact -= Eigen::Vector3d(3.0, random.uniform(-1.0, 1.0), 0.0);
     const std::vector<ToolMoves> moves = ledPasses({pass}, {});
     double travel_turns = 0.0;
-    for (std::size_t i = 2; i < pass.size(); ++i) {
-      travel_turns = std::max(travel_turns, angleBetween(pass[i].tip - pass[i - 1].tip, pass[i - 1].tip - pass[i - 2].tip));
-      jumps += pass[i].contact.x() < pass[i - 1].contact.x();
-    }
+    const auto wayTo = [&](std::size_t i) -> Eigen::Vector3d { return (pass[i].tip - pass[i - 1].tip).normalized(); };
+    for (std::size_t i = 2; i < pass.size(); ++i)
+      travel_turns = std::max(travel_turns, angleBetween(wayTo(i - 1), wayTo(i)));
     EXPECT_LE(largestFrameTurn(moves).angle, travel_turns + 1e-9);
     for (const Eigen::Matrix3d& frame : toolFrames(moves[0]))
       ASSERT_GE(frame.col(0).x(), -1e-9);
@@ -182,7 +182,6 @@ TEST(RobotFrames, DoNotFlipInValleysAtStepsAndAtEdges)
       ASSERT_LE(angleBetween(frames[i - 1].col(0), frames[i].col(0)),
                 travel_turns + angleBetween(frames[i - 1].col(2), frames[i].col(2)) + 1e-9);
   }
-  EXPECT_GT(jumps, 100U);
 }
 
 TEST(RobotFrames, KeepXWhereTheTipStandsOrMovesAlongZ)

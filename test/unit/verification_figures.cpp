@@ -31,7 +31,7 @@ TEST(VerificationFigures, EachKeyStandsOnce)
 TEST(VerificationFigures, LimitsStandAtTheirFigures)
 {
   EXPECT_EQ(limitedFigures({}), 0U);
-  EXPECT_EQ(limitedFigures({0.1, std::nullopt, std::nullopt, std::nullopt}), 2U) << "gouge, also beyond the rim";
+  EXPECT_EQ(limitedFigures({0.1, std::nullopt, std::nullopt, std::nullopt}), 3U) << "gouge, also beyond the rim, and into flat faces";
   EXPECT_EQ(limitedFigures({std::nullopt, 0.1, std::nullopt, std::nullopt}), 2U) << "scallop, and stock at the rim";
   EXPECT_EQ(limitedFigures({std::nullopt, std::nullopt, 0.1, std::nullopt}), 2U) << "deviation, also beyond the rim";
   EXPECT_EQ(limitedFigures({std::nullopt, std::nullopt, std::nullopt, 0.1}), 1U) << "uncut";

@@ -116,8 +116,7 @@ FittedDrop::step(const AxisFrame& frame, const SurfaceFoot& foot, Start& start) 
   const SurfaceGraph& graph = surface_.surface().graph();
   const double spacing = graph.spacing(foot.nearest);
   const double most = largest_overhang * std::max(spacing, graph.spacing());
-  start.contact.beyond =
-      !surface_.covers(foot) || foot.overhang > most || (foot.overhang > 0.0 && surface_.beyondOutline(foot.position) > 1.01 * most);
+  start.contact.beyond = !surface_.covers(foot) || foot.overhang > most || surface_.beyondOutline(foot.position) > 1.01 * most;
   if (start.contact.beyond)
     return;
   const FacingFoot facing(foot, frame.axis);

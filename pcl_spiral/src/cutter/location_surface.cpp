@@ -113,33 +113,41 @@ LocationSurface::beyondOutline(const Eigen::Vector3d& place) const
 void
 LocationSurface::findEdge()
 {
-  constexpr int along = 8, beyond = 2; // places per spacing, and per half a spacing
+  constexpr int along = 8, beyond = 2, about = 8; // places per spacing, per half a spacing, and per radian about corners
   std::vector<BoundaryLoop> loops;
   if (!findBoundaryLoops(*surface_, {}, loops).ok())
     return;
   const double spacing = surface_->spacing();
   std::vector<Eigen::Vector3f> places;
+  const auto add = [&](const Eigen::Vector3d& on_outline, const Eigen::Vector3d& outward) {
+    for (int j = 0; j <= beyond; ++j) {
+      const double out = 0.5 * spacing * j / beyond;
+      places.push_back((on_outline + out * outward).cast<float>());
+      outward_.push_back(outward.cast<float>());
+      out_.push_back(static_cast<float>(out));
+    }
+  };
   for (const BoundaryLoop& loop : loops) {
     if (loop.type == LoopType::ScanGap)
       continue;
     std::vector<SurfaceFoot> feet;
     surface_->fit().project(loop.curve, feet);
-    for (std::size_t i = 0; i < loop.curve.size(); ++i) {
-      const std::size_t next = (i + 1) % loop.curve.size();
+    const std::size_t count = loop.curve.size();
+    const auto wayFrom = [&](std::size_t i) -> Eigen::Vector3d { return loop.curve[(i + 1) % count] - loop.curve[i]; };
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t next = (i + 1) % count;
       if (!feet[i].valid || !feet[next].valid)
         continue;
-      const Eigen::Vector3d way = loop.curve[next] - loop.curve[i];
+      // The surface is on the left of the loop.
+      const Eigen::Vector3d way = wayFrom(i), before = wayFrom((i + count - 1) % count), normal = feet[i].normal;
+      const double turn = std::atan2(before.cross(way).dot(normal), before.dot(way));
+      const int turns = static_cast<int>(about * turn); // none where the outline turns to the other side
+      for (int k = 1; k <= turns; ++k)
+        add(loop.curve[i], Eigen::AngleAxisd(turn * k / (turns + 1), normal) * before.cross(normal).normalized());
       const int steps = std::max(1, static_cast<int>(std::ceil(along * way.norm() / spacing)));
       for (int k = 0; k < steps; ++k) {
         const double f = static_cast<double>(k) / steps;
-        const Eigen::Vector3d normal = (1.0 - f) * feet[i].normal + f * feet[next].normal;
-        const Eigen::Vector3d outward = way.cross(normal).normalized(); // the surface is on the left of the loop
-        for (int j = 0; j <= beyond; ++j) {
-          const double out = 0.5 * spacing * j / beyond;
-          places.push_back((loop.curve[i] + f * way + out * outward).cast<float>());
-          outward_.push_back(outward.cast<float>());
-          out_.push_back(static_cast<float>(out));
-        }
+        add(loop.curve[i] + f * way, way.cross((1.0 - f) * normal + f * feet[next].normal).normalized());
       }
     }
   }

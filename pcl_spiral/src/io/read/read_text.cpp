@@ -183,7 +183,7 @@ private:
         const bool comma = word.find_first_of(", \t") != std::string_view::npos || word.substr(0, 1) == "\""; // "1,5" is cut at its comma
         throw FileError(file_,
                         atLine(number, quoted(word) + " is not a number" + (comma ? "; write decimals with a point, not a comma" : "") +
-                                           (table_[0].empty() ? orSkip(number) : "")));
+                                           (table_.back().empty() ? orSkip(number) : "")));
       }
       table_[c].push_back(*value);
     }
