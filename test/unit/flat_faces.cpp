@@ -8,7 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
 
 using namespace pcl_spiral;
 using namespace pcl_spiral::test;
@@ -145,4 +149,29 @@ TEST(FlatFaces, StayFlatHoweverThePartIsTurned)
       EXPECT_LT(e.round, 0.2 * e.plain_round);
     }
   }
+}
+
+/** Files in text have few digits: a floor of many faces, turned, is then not exactly flat. */
+TEST(FlatFaces, StayFlatInFilesWithFewDigits)
+{
+  SweepGuide split;
+  split.half = {0, 30};
+  split.parts = 7;
+  Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
+  turned.translate(Vector3d(2.0, 12.0, -1.0));
+  turned.rotate(Eigen::AngleAxisd(0.35, Vector3d(0.8, 0.5, 0.2).normalized()));
+  const auto digits = [](const char* format, double x) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), format, x);
+    return std::strtod(text.data(), nullptr);
+  };
+  for (const double facet : {2.0, 10.0})
+    for (const char* format : {"%.6g", "%.5e", "%.4f", "%.3f"}) {
+      FilletedPart part = placedPart(sweptPart(trough(8.0, facet), split), turned);
+      for (Vector3d& v : part.mesh.vertices)
+        v = Vector3d(digits(format, v.x()), digits(format, v.y()), digits(format, v.z()));
+      const Errors e = errorsOf(part);
+      EXPECT_LT(e.flat, 1e-4) << format << " " << facet;
+      EXPECT_LT(e.round, 0.2 * e.plain_round + (std::string(format) == "%.3f" ? 0.002 : 0.0)) << format << " " << facet;
+    }
 }

@@ -65,7 +65,7 @@ TEST(RawScan, AFoldThatSmoothingTookIsFoundAtItsPlace)
   EXPECT_EQ(f.means.size(), f.points);
   const std::string text = smoothingText(f, "raw.pcd");
   EXPECT_NE(text.find("the shape was changed there"), std::string::npos) << text;
-  EXPECT_NE(text.find("1 points have no smoothed surface"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 point has no smoothed surface near"), std::string::npos) << text;
 }
 
 TEST(RawScan, NoiseAloneIsNoise)

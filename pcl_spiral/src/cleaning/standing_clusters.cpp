@@ -323,7 +323,7 @@ Status
 refusalOf(const std::vector<StandingCluster>& clusters, double spacing)
 {
   const bool hide = std::any_of(clusters.begin(), clusters.end(), [](const StandingCluster& cluster) { return cluster.hides_surface; });
-  const bool line = std::any_of(clusters.begin(), clusters.end(), [&](const StandingCluster& cluster) { return isLine(cluster, spacing); });
+  const bool line = std::all_of(clusters.begin(), clusters.end(), [&](const StandingCluster& cluster) { return isLine(cluster, spacing); });
   return {
       StatusCode::InvalidInput,
       textOf(
@@ -356,7 +356,8 @@ isLine(const StandingCluster& cluster, double spacing)
     const Eigen::Vector3d along = std::max_element(near.begin(), near.end(), [](const auto& a, const auto& b) {
                                     return a.squaredNorm() < b.squaredNorm();
                                   })->normalized();
-    wide += std::any_of(near.begin(), near.end(), [&](const Eigen::Vector3d& way) { return way.cross(along).norm() > widest * spacing; });
+    wide += near.size() < 2 ||
+            std::any_of(near.begin(), near.end(), [&](const Eigen::Vector3d& way) { return way.cross(along).norm() > widest * spacing; });
   }
   return blocks.size() >= least && 10 * wide <= blocks.size();
 }

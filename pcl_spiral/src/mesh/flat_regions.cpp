@@ -31,6 +31,42 @@ lengthOf(const Triangulation& mesh, const std::vector<Vector3d>& positions, std:
   return (positions[mesh.target(h)] - positions[mesh.origin(h)]).norm();
 }
 
+/** Whether all coordinates are decimals of a few digits: \p unit is the last digit's, by the power of ten of the coordinate. They come as
+ *  floats, each rounded by up to 2^-24 of itself. */
+template <typename Unit>
+bool
+areDecimals(const std::vector<Vector3d>& positions, const Unit& unit)
+{
+  const double rounding = std::ldexp(1.01, -24);
+  return std::all_of(positions.begin(), positions.end(), [&](const Vector3d& p) {
+    return std::all_of(p.data(), p.data() + 3, [&](double x) {
+      const double last = x != 0.0 ? unit(static_cast<int>(std::floor(std::log10(std::abs(x))))) : 1.0;
+      return std::abs(x - last * std::round(x / last)) <= rounding * std::abs(x);
+    });
+  });
+}
+
+/** By how much each coordinate may be rounded: files in text have a number of decimals, or of digits. More of them than floats hold tell
+ *  nothing. */
+double
+roundingOf(const std::vector<Vector3d>& positions, double largest)
+{
+  constexpr int most = 7;
+  const double of_floats = std::ldexp(largest, -24);
+  const auto power = [](int n) { return std::pow(10.0, n); };
+  const int magnitude = static_cast<int>(std::floor(std::log10(largest)));
+  const auto least = [&](const auto& last) { // half of the largest last digit that all coordinates have
+    for (int n = 0; n <= most; ++n)
+      if (0.5 * last(n, magnitude) > 2.0 * of_floats && areDecimals(positions, [&](int m) { return last(n, m); }))
+        return 0.5 * last(n, magnitude);
+    return of_floats;
+  };
+  const auto fixed = [&](int n, int) { return power(-n); };
+  const auto digits = [&](int n, int m) { return power(m - n + 1); };
+  const double by_decimals = least(fixed), by_digits = least(digits);
+  return by_decimals > of_floats && by_digits > of_floats ? std::min(by_decimals, by_digits) : std::max(by_decimals, by_digits);
+}
+
 /** Grows regions of faces in one plane. */
 class RegionGrowth {
 public:
@@ -40,7 +76,8 @@ public:
     double largest = 0.0;
     for (const Vector3d& p : positions)
       largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    same_ = 8.0 * std::ldexp(largest, -24); // coordinates come as floats, each rounded by up to 2^-24 of itself
+    exact_ = 8.0 * std::ldexp(largest, -24);
+    same_ = 8.0 * roundingOf(positions, largest);
 #pragma omp parallel for schedule(static)
     for (std::int64_t t = 0; t < static_cast<std::int64_t>(crosses_.size()); ++t)
       crosses_[t] = crossOf(mesh, positions, static_cast<std::uint32_t>(t));
@@ -66,7 +103,7 @@ private:
   /** The plane of one small face is not sure far away: it is taken anew from the faces found, and the search goes on at the rim. */
   Vector3d growFrom(std::uint32_t seed, std::uint32_t region, std::vector<std::uint32_t>& of_face)
   {
-    constexpr int planes = 4;
+    constexpr int planes = 16;
     of_face[seed] = region;
     faces_.assign(1, seed);
     Vector3d normal;
@@ -101,18 +138,23 @@ private:
     return cross.normalized();
   }
 
+  /** Off the plane by no more than the rounding of floats, or by that of the file where the face does not lean from it as facets do. */
   bool liesInPlane(std::uint32_t t, const Vector3d& normal) const
   {
+    constexpr double least_lean = 0.5 / 57.3; // radians: half the bend at the seam of a round with facets of two degrees
     const auto& f = mesh_.triangle(t);
-    return crosses_[t].dot(normal) > 0.0 &&
-           std::all_of(f.begin(), f.end(), [&](std::uint32_t v) { return std::abs(normal.dot(positions_[v] - middle_)) <= same_; });
+    double off = 0.0;
+    for (const std::uint32_t v : f)
+      off = std::max(off, std::abs(normal.dot(positions_[v] - middle_)));
+    const double along = crosses_[t].dot(normal), lean = std::atan2(crosses_[t].cross(normal).norm(), along);
+    return along > 0.0 && (off <= exact_ || (off <= same_ && lean < least_lean));
   }
 
   const Triangulation& mesh_;
   const std::vector<Vector3d>& positions_;
   const std::vector<std::uint8_t>& creases_;
   std::vector<Vector3d> crosses_;
-  double same_ = 0.0; ///< mm: how far off a plane a corner in it may be
+  double exact_ = 0.0, same_ = 0.0; ///< mm: how far off a plane a corner in it may be, by floats, and by the digits of the file
   std::vector<std::uint32_t> faces_;
   Vector3d middle_;
 };

@@ -16,7 +16,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t chunk = 1u << 16; // path points between progress reports
-constexpr double rounding = 1e-6;       // cosine, of normals in floats: along a wall the tool axis is square to them
+constexpr double rounding = 1e-4;       // cosine: along a wall the tool axis is square to the normals of fits, known to about that
 
 /** Sums and extremes over the points, taken in their order. */
 class Tally {

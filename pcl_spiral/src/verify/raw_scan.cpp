@@ -15,6 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double sigma_of_median = 1.4826; // of normally distributed values
+constexpr double fit_share = 1e-3;         // of the spacing: error of fits to points without noise
 
 /** For each of \p points, in the order of their blocks, the mean of the \p offsets of its nearest ones. */
 std::vector<double>
@@ -68,6 +69,7 @@ compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw)
   for (std::size_t i = 0; i < feet.size(); ++i) {
     if (!feet[i].valid || feet[i].overhang > 0.0) {
       f.beside += !feet[i].valid;
+      f.others.push_back(queries[i].cast<float>());
       continue;
     }
     offsets.push_back((queries[i] - feet[i].position).dot(feet[i].normal));
@@ -79,10 +81,13 @@ compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw)
   f.points = places.size();
   if (f.points == 0)
     return f;
-  f.noise = sigma_of_median * quantile(amounts, 0.5);
   f.p99 = quantile(amounts, 0.99);
+  f.fit_error = fit_share * smoothed.spacing() + 4.0 * smoothed.fit().fitNoise();
   const PointBlocks blocks(std::move(places));
   const std::vector<double> means = meansOf(blocks, offsets);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    amounts[i] = static_cast<float>(std::abs(offsets[blocks.originalIndex(i)] - means[i]));
+  f.noise = sigma_of_median * quantile(amounts, 0.5);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const std::size_t at = kept[blocks.originalIndex(i)];
     const Vector3d place = feet[at].position + means[i] * feet[at].normal;
@@ -103,7 +108,7 @@ smoothingText(const RawScanFigures& f, const std::string& name)
     text += textOf("; the mean of ", RawScanFigures::mean_of, " neighbouring points by up to ", f.mean.value, " mm at ",
                    placeText(f.mean.position), ", which is not noise: the shape was changed there; smooth with a smaller radius");
   if (f.beside > 0)
-    text += textOf("; ", f.beside, " points have no smoothed surface near them");
+    text += textOf("; ", f.beside, f.beside == 1 ? " point has" : " points have", " no smoothed surface near");
   return text;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 #include "job_check.h"
-#include "judging/raw_scan_option.h"
 #include "passes/pass_options.h"
 #include "program/program_options.h"
 #include "terminal/command_line.h"

@@ -93,7 +93,7 @@ leftOver(const std::vector<Place>& places, const Job& job, const Result& result)
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(places.size()); ++i) {
     left[i] = swept.over(places[i].x, places[i].normal, nothing);
-    if (left[i] > job.scallop && left[i] < nothing)
+    if (left[i] > job.scallop && left[i] < nothing && job.cutter.corner_radius > 0.0) // a sharp edge leaves steps as high
       left[i] = swept.distance(places[i].x, left[i]);
   }
   return left;

@@ -20,7 +20,8 @@ using namespace pcl_spiral;
 
 namespace {
 
-constexpr double most_lean = 60.0; // degrees
+constexpr double most_lean = 60.0;    // degrees
+constexpr double single_points = 5.0; // times their noise: no point is farther from the surface
 
 JudgedPart
 meshPart(const std::string& file, const ReadOptions& read, const MeshChoice& mesh)
@@ -162,9 +163,12 @@ std::string
 faultInRaw(const RawScanFigures& raw, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, double allowed)
 {
   std::string words;
-  const auto cut = cutBeside(raw.means, path, settings, words);
-  if (!cut || cut->depth <= allowed + raw.leastMean())
-    return "";
+  auto cut = cutBeside(raw.means, path, settings, words);
+  if (!cut || cut->depth <= allowed + raw.leastMean()) {
+    cut = cutBeside(raw.others, path, settings, words);
+    if (!cut || cut->depth <= allowed + single_points * raw.noise + raw.fit_error)
+      return "";
+  }
   return textOf(words, " cuts ", cut->depth, " mm into the raw scan at ", placeText(cut->place),
                 ", where smoothing moved it: smooth with a smaller radius");
 }

@@ -3,12 +3,10 @@
 
 #include "terminal/scan_places.h"
 
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 
 using namespace pcl_spiral;
-
-const char* const raw_scan_help =
-    "the scan before it was smoothed: says what smoothing moved, and the path must not cut into its points: --raw-scan raw.pcd";
 
 RawScanFigures
 rawScanFigures(const std::string& file, const ReadOptions& read, const Surface& smoothed)
@@ -18,7 +16,9 @@ rawScanFigures(const std::string& file, const ReadOptions& read, const Surface& 
   for (const pcl::PointXYZ& p : *raw.cloud)
     points.push_back(p.getVector3fMap());
   RawScanFigures figures = compareWithRaw(smoothed, points);
-  if (figures.points == 0)
-    throw FileError(file, smoothingText(figures, file));
+  if (points.empty() || 2 * figures.points < points.size())
+    throw FileError(file, textOf(points.size() - figures.points, " of ", points.size(),
+                                 " points of this raw scan have no smoothed surface near: is it another part, another unit, or are its "
+                                 "columns others?"));
   return figures;
 }

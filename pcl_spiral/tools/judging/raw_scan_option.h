@@ -9,9 +9,7 @@
 
 #include <string>
 
-extern const char* const raw_scan_help;
-
 /** The raw scan \p file beside \p smoothed, read as the scan was read with \p read.
- *  \throw pcl_spiral::FileError as readCloud, and if none of its points is near the smoothed surface */
+ *  \throw pcl_spiral::FileError as readCloud, and if most of its points are not near the smoothed surface */
 pcl_spiral::RawScanFigures rawScanFigures(const std::string& file, const pcl_spiral::ReadOptions& read,
                                           const pcl_spiral::Surface& smoothed);

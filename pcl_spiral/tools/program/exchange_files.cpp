@@ -26,6 +26,10 @@ printFrames(const ProgramJob& job, const std::vector<ToolMoves>& moves, const st
   if (std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".yaml"; }))
     return;
   const FrameTurn turn = largestFrameTurn(moves, job.robot_z);
+  if (turn.angle < 1e-6) {
+    std::printf("robot frames    x does not turn from one waypoint to the next\n");
+    return;
+  }
   std::printf("robot frames    x turns by at most %.3g degrees from one waypoint to the next, tip at %s\n", turn.angle * 180.0 / M_PI,
               placeText(inScan(turn.place)).c_str());
 }

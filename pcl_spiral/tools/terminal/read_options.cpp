@@ -7,6 +7,8 @@ using namespace pcl_spiral;
 
 const char* const columns_help = "names of the columns of a text file, from the left; x, y and z are used: --columns id,x,y,z";
 const char* const skip_lines_help = "lines at the beginning of a text file that are not read, whatever is in them: --skip-lines 2";
+const char* const raw_scan_help =
+    "the scan before it was smoothed: says what smoothing moved, and the path must not cut into its points: --raw-scan raw.pcd";
 
 std::size_t
 skipLinesValue(const std::string& value)

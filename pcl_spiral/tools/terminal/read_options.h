@@ -12,9 +12,10 @@
 #include <string>
 #include <vector>
 
-/** Help on --columns and --skip-lines, for all programs. */
+/** Help on --columns, --skip-lines and --raw-scan, for all programs. */
 extern const char* const columns_help;
 extern const char* const skip_lines_help;
+extern const char* const raw_scan_help;
 
 /** The number of --skip-lines. \throw UsageError */
 std::size_t skipLinesValue(const std::string& value);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_table.h"
-#include "judging/raw_scan_option.h"
 #include "judging/stock_option.h"
 #include "program/holder_options.h"
 #include "program/program_options.h"

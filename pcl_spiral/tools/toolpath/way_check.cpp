@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "way_check.h"
 
-#include "judging/raw_scan_option.h"
+#include "judging/judged_part.h"
 
 #include <pcl_spiral/common/impl/message.h>
 
@@ -122,17 +122,18 @@ checkWay(const Job& job, Result& result)
 void
 checkRawScan(const Job& job, Result& result)
 {
-  constexpr double deviations = 5.0; // of the noise, as above
   if (job.raw_scan.empty())
     return;
+  constexpr double deviations = 5.0; // of the noise, as above
   const RawScanFigures raw = rawScanFigures(job.raw_scan, job.read, *result.surface);
   result.report.warnings.push_back(smoothingText(raw, job.raw_scan));
-  const auto cut = deepestPoint(*result.path, job.settings.tool_radius, raw.means);
-  if (!cut || cut->depth <= job.settings.chord_error + deviations * result.report.noise + raw.leastMean())
+  JudgeSettings settings;
+  settings.cutter = CutterShape::ball(job.settings.tool_radius);
+  const double allowed = job.limits.gouge.value_or(job.settings.chord_error + deviations * result.report.noise);
+  const std::string fault = faultInRaw(raw, result.path, settings, allowed);
+  if (fault.empty())
     return;
-  const std::string text = textOf("the ball cuts ", cut->depth, " mm into the raw scan at ", placeText(cut->place),
-                                  ", where smoothing moved it: smooth with a smaller radius");
   if (job.verify)
-    throw FileError(job.scan, "the path was made, but " + text);
-  result.report.warnings.push_back(text);
+    throw FileError(job.scan, "the path was made, but " + fault);
+  result.report.warnings.push_back(fault);
 }

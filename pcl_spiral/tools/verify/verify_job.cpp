@@ -6,6 +6,7 @@
 #include "judging/stock_option.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
+#include "terminal/read_options.h"
 #include "terminal/setter_names.h"
 
 #include <pcl_spiral/io/program_writer.h>

@@ -22,16 +22,18 @@ namespace pcl_spiral {
 struct RawScanFigures {
   static constexpr int mean_of = 25; ///< neighbouring points in a mean: the noise of a mean is a fifth of that of a point
 
-  std::size_t points = 0;             ///< that have a surface near them
-  std::size_t beside = 0;             ///< that have none
-  double noise = 0.0;                 ///< standard deviation of the points about the surface, from the median of their distances
-  double p99 = 0.0;                   ///< 99 % of the points were moved by less
-  PlacedValue largest;                ///< the point that was moved most; its index in the raw scan
-  PlacedValue mean;                   ///< the largest mean of neighbouring points, and its place; its index in the raw scan
-  std::vector<Eigen::Vector3f> means; ///< of each of the points: its place on the raw surface, by the mean of its neighbours
+  std::size_t points = 0;              ///< that have a surface near them
+  std::size_t beside = 0;              ///< that have none
+  double noise = 0.0;                  ///< standard deviation of the points about their means, from the median of their distances
+  double fit_error = 0.0;              ///< of the smoothed surface: a mean of less tells nothing
+  double p99 = 0.0;                    ///< 99 % of the points were moved by less
+  PlacedValue largest;                 ///< the point that was moved most; its index in the raw scan
+  PlacedValue mean;                    ///< the largest mean of neighbouring points, and its place; its index in the raw scan
+  std::vector<Eigen::Vector3f> means;  ///< of each of the points: its place on the raw surface, by the mean of its neighbours
+  std::vector<Eigen::Vector3f> others; ///< points that have no surface near them, or lie beyond its rim, as they are
 
-  /** A mean that noise alone hardly reaches: four standard deviations. */
-  double leastMean() const { return 4.0 * noise / 5.0; }
+  /** A mean that noise alone hardly reaches: four standard deviations, above the error of the fits. */
+  double leastMean() const { return 4.0 * noise / 5.0 + fit_error; }
 };
 
 /** Measures \p raw, of the same coordinates as \p smoothed; points that are not finite do not count. */
