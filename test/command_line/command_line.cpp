@@ -366,7 +366,7 @@ TEST_F(CommandLine, TheRawScanBesideTheSmoothedOneIsHeeded)
   expectRefused(with({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "c.csv"}, {"--raw-scan", "none.xyz"}), 1, {"none.xyz"});
   writeText(folder_.path("far.xyz"), xyz(cap(500, 900.0)));
   expectRefused(with({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "-o", "c.csv"}, {"--raw-scan", "far.xyz"}), 1,
-                {"far.xyz", "is it another part, or another unit?"});
+                {"far.xyz", "500 of 500 points of this raw scan", "is it another part, another unit"});
 }
 
 TEST_F(CommandLine, UnitsAndThreadsDoNotChangeThePath)

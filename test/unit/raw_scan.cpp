@@ -81,6 +81,25 @@ TEST(RawScan, NoiseAloneIsNoise)
   EXPECT_LT(f.mean.value, f.leastMean() * 1.15);  // the largest of 8000 means
 }
 
+TEST(RawScan, AShiftOfAllIsNoNoiseAndTheSameScanIsNoChange)
+{
+  std::vector<Eigen::Vector3d> raw = plate(8);
+  const Surface::ConstPtr surface = surfaceOf(raw);
+  const RawScanFigures same = compareWithRaw(*surface, floats(raw));
+  EXPECT_LT(same.mean.value, same.leastMean());
+  EXPECT_TRUE(same.others.empty());
+  Random random(9);
+  for (Eigen::Vector3d& p : raw)
+    p.z() += 0.5 + 0.05 * random.normal();
+  const RawScanFigures shifted = compareWithRaw(*surface, floats(raw));
+  EXPECT_NEAR(shifted.noise, 0.05, 0.005);
+  EXPECT_GT(shifted.mean.value, 5.0 * shifted.leastMean());
+  raw.emplace_back(3.0, 2.0, 90.0);
+  const RawScanFigures flying = compareWithRaw(*surface, floats(raw));
+  EXPECT_EQ(flying.beside, 1U);
+  EXPECT_EQ(flying.others.back(), Eigen::Vector3f(3.0F, 2.0F, 90.0F));
+}
+
 TEST(RawScan, DoesNotDependOnTheOrderOfThePoints)
 {
   std::vector<Eigen::Vector3d> raw = plate(6);
