@@ -282,6 +282,7 @@ TEST_F(CloudReader, SaysWhatIsWrongInPly)
   expectProblem("a.ply", "hello", "line 1");
   expectProblem("b.ply", ascii + "1 2 3\n4 abc 6\n7 8 9\n", "line 9: 'abc'");
   expectProblem("c.ply", ascii + "1 2 3\n4 5 6\n", "vertex 3 of 3");
+  expectProblem("c2.ply", ascii.substr(0, ascii.size() - 1), "vertex 1 of 3"); // ends in its header, without a line end
   expectProblem("d.ply", ascii + "1 2 3\n4 5\n7 8 9\n", "line 9: 2 values");
   expectProblem("e.ply", "ply\nformat binary_little_endian 1.0\n" + ply_vertices + "end_header\n123456789", "cut off");
   expectProblem("f.ply",

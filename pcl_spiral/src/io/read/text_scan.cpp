@@ -50,7 +50,7 @@ LineScanner::next(std::string_view& line)
     ++end;
   line = trimmed(text_.substr(position_, end - position_));
   const bool two = end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n';
-  position_ = end + (two ? 2 : 1);
+  position_ = std::min(text_.size(), end + (two ? 2 : 1));
   ++number_;
   return true;
 }
