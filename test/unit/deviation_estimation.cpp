@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Deviation of path points from a raw cloud: faults found at their places, separated from noise; behaviour of the class.
+#include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 
 #include "support/passes.h"
@@ -73,6 +74,35 @@ TEST(DeviationEstimation, AnotherPartIsAskedForOnlyWhereMostPointsHaveNoSurface)
       said += warning;
     EXPECT_EQ(said.find("another part") != std::string::npos, share > 0.5) << said;
     EXPECT_EQ(said.find("cannot be judged there") != std::string::npos, share < 0.5) << said;
+  }
+}
+
+TEST(DeviationEstimation, HalfASpacingBeyondTheRimIsTheRimWhereTheOutermostPointsAreSparse)
+{
+  constexpr double side = 40.0;
+  constexpr int count = 3000;
+  const double half_spacing = 0.5 * side / std::sqrt(count);
+  for (int seed = 15; seed <= 20; ++seed) {
+    Random random(seed);
+    std::vector<Eigen::Vector3d> scan;
+    for (int i = 0; i < count; ++i)
+      scan.emplace_back(random.uniform(0.0, side), random.uniform(0.0, side), 0.0);
+    BoundaryLoops<pcl::PointXYZ> boundary;
+    boundary.setInputCloud(toCloud(scan));
+    std::vector<BoundaryLoop> loops;
+    boundary.compute(loops);
+    ASSERT_TRUE(boundary.getStatus().ok()) << boundary.getStatus().message();
+    CheckedPath path;
+    const Polyline& rim = loops.front().curve;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const Eigen::Vector3d way = (rim[(i + 1) % rim.size()] - rim[i]).normalized();
+      path.contacts.push_back(0.5 * (rim[i] + rim[(i + 1) % rim.size()]) + 0.95 * half_spacing * way.cross(Eigen::Vector3d::UnitZ()));
+      path.normals.push_back(Eigen::Vector3d::UnitZ());
+    }
+    EXPECT_EQ(measured({scan, {}}, path).figures.unmeasured, 0U) << seed;
+    for (Eigen::Vector3d& contact : path.contacts)
+      contact.z() += 10.0 * half_spacing;
+    EXPECT_GT(measured({scan, {}}, path).figures.unmeasured, 0U) << seed;
   }
 }
 

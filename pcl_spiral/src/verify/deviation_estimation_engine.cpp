@@ -35,7 +35,8 @@ public:
     if (reference_.inCreaseBand(path_.contacts[i]))
       return takeCrease(i, foot);
     if (!foot.valid) {
-      ++(reference_.inGap(path_.contacts[i]) ? figures_.in_gaps : figures_.unmeasured);
+      const Eigen::Vector3d& p = path_.contacts[i];
+      ++(reference_.inGap(p) ? figures_.in_gaps : isAtRim(p) ? figures_.beyond_rim : figures_.unmeasured);
       return std::numeric_limits<float>::quiet_NaN();
     }
     const Eigen::Vector3d& p = path_.contacts[i];
@@ -78,6 +79,14 @@ private:
     if (std::abs(deviation) > std::abs(figures_.crease_max.value))
       figures_.crease_max = {deviation, path_.contacts[i], i};
     return std::numeric_limits<float>::quiet_NaN();
+  }
+
+  /** Whether a contact without a fit is no farther from the rim than planners go: the outermost points may be sparse there. */
+  bool isAtRim(const Eigen::Vector3d& p) const
+  {
+    constexpr double most = 0.5 * 1.01; // spacings; the place of a contact is rounded
+    const double limit = most * reference_.graph().spacing();
+    return reference_.rimDistance(p, limit) < limit;
   }
 
   void takeNormal(std::size_t i, const SurfaceFoot& foot)

@@ -3,6 +3,7 @@
 
 #include "verify/figure_text.h"
 #include "verify/verification_figures.h"
+#include <pcl_spiral/common/impl/message.h>
 
 #include <iomanip>
 #include <sstream>
@@ -10,14 +11,32 @@
 namespace pcl_spiral {
 namespace {
 
+/** Why \p deviation's reference cannot show that a limit holds; empty if it can. */
+std::string
+notShown(const FigureLimit& limit, const DeviationFigures& deviation)
+{
+  const double least = leastShown(deviation);
+  if (!limit.needs_proof || limit.most >= least)
+    return {};
+  std::ostringstream text;
+  text << "lies below " << std::setprecision(2) << least
+       << (deviation.by_mesh
+               ? " mm, three times the distance between the mesh and the surface fitted to its samples: these cannot show that it holds; "
+                 "sample more closely (setSampleSpacing)"
+               : " mm, three times the noise of the scan's surface: this scan cannot show that it holds");
+  return text.str();
+}
+
 /** "Limits::gouge 0.01 is broken: 0.02 mm at (1, 2, 3), path point 4" */
 std::string
-brokenText(const Figure& figure)
+brokenText(const Figure& figure, const DeviationFigures& deviation)
 {
   const FigureLimit& limit = *figure.limit;
   std::ostringstream text;
   text << limit.name << " " << limit.most << " is broken: " << limit.found
        << (figure.style.unit == FigureUnit::Percent ? " percent" : " mm") << limit.where << placeSuffix(figure);
+  if (const std::string reason = notShown(limit, deviation); !reason.empty())
+    text << "; the limit " << reason;
   return text.str();
 }
 
@@ -42,7 +61,7 @@ brokenLimits(const Limits& limits, const Verification& verification)
   const FigureTable table = figuresOf(verification, limits);
   for (const Figure& figure : table.figures())
     if (figure.limit && !figure.limit->holds())
-      broken.push_back(brokenText(figure));
+      broken.push_back(brokenText(figure, verification.deviation));
   addFault(broken, verification.deviation.unmeasured, verification.deviation.points, "lie off the surface and were not judged");
   for (const std::string& fault : faultsOfPoses(verification))
     broken.push_back(fault);
@@ -66,19 +85,13 @@ faultsOfPoses(const Verification& verification)
 std::vector<std::string>
 unprovenLimits(const Limits& limits, const Verification& verification)
 {
-  const double least = leastShown(verification.deviation);
   std::vector<std::string> unproven;
   const FigureTable table = figuresOf(verification, limits);
   for (const Figure& figure : table.figures()) {
-    if (!figure.limit || !figure.limit->needs_proof || figure.limit->most >= least || figure.limit->found > figure.limit->most)
+    if (!figure.limit || figure.limit->found > figure.limit->most)
       continue;
-    std::ostringstream text;
-    text << figure.limit->name << " " << figure.limit->most << " mm lies below " << std::setprecision(2) << least
-         << (verification.deviation.by_mesh
-                 ? " mm, three times the distance between the mesh and the surface fitted to its samples: these cannot show that it holds; "
-                   "sample more closely (setSampleSpacing)"
-                 : " mm, three times the noise of the scan's surface: this scan cannot show that it holds");
-    unproven.push_back(text.str());
+    if (const std::string reason = notShown(*figure.limit, verification.deviation); !reason.empty())
+      unproven.push_back(textOf(figure.limit->name, " ", figure.limit->most, " mm ", reason));
   }
   if (limits.any() && verification.deviation.in_gaps > 0)
     unproven.push_back(std::to_string(verification.deviation.in_gaps) +
