@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <omp.h>
@@ -88,6 +89,35 @@ TEST(BallReach, RestsInAValley)
       EXPECT_GT(least, 0.87 * fillet); // the fits round the ends of the fillet: never too large a ball is named
       EXPECT_LT(deepest(part, reach), reach.tolerance() + error);
     }
+}
+
+TEST(BallReach, PassesThroughNoVoidBetweenThePoints)
+{
+  const double slope = 0.7, ball = 1.0, clear = 1.1;
+  const TightPart part = valley(slope, 0.9, 14.0, 8.0);
+  for (unsigned int seed = 1; seed <= 3; ++seed) {
+    auto cloud = part.scan(0.4, 0.0, seed);
+    const auto isInVoid = [&](const pcl::PointXYZ& p) { return std::hypot(p.x, p.y) < clear; };
+    cloud->points.erase(std::remove_if(cloud->points.begin(), cloud->points.end(), isInVoid), cloud->points.end());
+    cloud->width = static_cast<std::uint32_t>(cloud->points.size());
+    const auto surface = surfaceOf(cloud);
+    const BallReach reach = reachOf(*surface, ball);
+    std::vector<Vector3d> places;
+    for (double x = -0.6; x <= 0.6; x += 0.1)
+      for (double y = -0.6; y <= 0.6; y += 0.1)
+        places.emplace_back(x, y, 0.3 * x * x);
+    std::vector<SurfaceFoot> feet;
+    surface->fit().project(places, feet, 4);
+    double nearest = 1e9;
+    for (const SurfaceFoot& foot : feet) {
+      const Vector3d centre = foot.valid ? reach.centre(foot.position, foot.normal) : Vector3d::Constant(1e9);
+      ASSERT_TRUE(centre.allFinite());
+      for (const SurfaceFoot& other : feet)
+        if (other.valid)
+          nearest = std::min(nearest, (centre - other.position).norm());
+    }
+    EXPECT_GT(nearest, ball - reach.tolerance() - 0.05);
+  }
 }
 
 TEST(BallReach, RestsOnTheRimOfAPit)

@@ -134,9 +134,10 @@ TEST(LimitVerdicts, ABrokenLimitIsNotCalledUnproven)
 
 TEST(LimitVerdicts, ABrokenLimitThatNoPathCouldBeShownToKeepIsSaidToBeThat)
 {
-  EXPECT_EQ(brokenLimits(allOf(0.004, 1.0, 1.0, 1.0), judged()),
-            (Messages{"Limits::gouge 0.004 is broken: 0.02 mm at (-1.000, -2.000, -3.500), path point 12; the limit lies below 0.006 mm, three "
-                      "times the noise of the scan's surface: this scan cannot show that it holds"}));
+  EXPECT_EQ(
+      brokenLimits(allOf(0.004, 1.0, 1.0, 1.0), judged()),
+      (Messages{"Limits::gouge 0.004 is broken: 0.02 mm at (-1.000, -2.000, -3.500), path point 12; the limit lies below 0.006 mm, three "
+                "times the noise of the scan's surface: this scan cannot show that it holds"}));
 }
 
 TEST(LimitVerdicts, ASmallLimitOnScallopOrGougeIsNotProvenEither)

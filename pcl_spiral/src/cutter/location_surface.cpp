@@ -2,6 +2,7 @@
 #include <pcl_spiral/cutter/impl/location_surface.h>
 
 #include "coordinate_rounding.h"
+#include "graph/covering_radius.h"
 
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
@@ -17,17 +18,6 @@ namespace {
 
 constexpr double shortest_rim = 8.0; // in spacings: a shorter loop is a flaw of the triangulation
 constexpr double standard_deviations = 5.0;
-
-double
-circumradius(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
-{
-  const Eigen::Vector3d u = b - a, v = c - a;
-  const double twice_area = u.cross(v).norm();
-  const double longest = std::sqrt(std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()}));
-  if (u.dot(v) <= 0.0 || u.dot(u - v) <= 0.0 || v.dot(v - u) <= 0.0)
-    return 0.5 * longest; // obtuse: all its places are nearer to a corner than the middle of the circle
-  return u.norm() * v.norm() * (u - v).norm() / (2.0 * twice_area);
-}
 
 } // namespace
 
@@ -162,7 +152,8 @@ LocationSurface::findCoveringRadii()
   std::vector<float> own(graph.size(), static_cast<float>(graph.spacing()));
   for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
     const auto& corner = mesh.triangle(t);
-    const auto radius = static_cast<float>(circumradius(graph.position(corner[0]), graph.position(corner[1]), graph.position(corner[2])));
+    const auto radius =
+        static_cast<float>(coveringRadiusOf(graph.position(corner[0]), graph.position(corner[1]), graph.position(corner[2])));
     for (const std::uint32_t c : corner)
       own[c] = std::max(own[c], radius);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/impl/ball_reach.h>
 
+#include "graph/covering_radius.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,8 +62,61 @@ BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double ra
   fitPatches(graph, fit, beyond);
   setObstacles(obstacles);
   findUnreached(graph);
-  if (!unreached_.empty())
+  if (!unreached_.empty()) {
+    coverVoids(graph, fit);
     averageNormals();
+  }
+}
+
+void
+BallReach::coverVoids(const SurfaceGraph& graph, const MlsSurface& fit)
+{
+  const Triangulation& triangles = graph.triangulation();
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<double> extents;
+  for (std::size_t t = 0; t < triangles.triangleCount(); ++t) {
+    const auto& [a, b, c] = triangles.triangle(t);
+    const Eigen::Vector3d pa = graph.position(a), pb = graph.position(b), pc = graph.position(c);
+    const double extent = patch_spacings * std::min({graph.spacing(a), graph.spacing(b), graph.spacing(c)});
+    if (coveringRadiusOf(pa, pb, pc) <= extent)
+      continue;
+    // The middles of triangles half as large each time, until patches of this extent cover them.
+    const double longest = std::sqrt(std::max({(pb - pa).squaredNorm(), (pc - pb).squaredNorm(), (pa - pc).squaredNorm()}));
+    const auto parts = static_cast<int>(std::ceil(longest / (2.0 * extent)));
+    for (int u = 0; u < parts; ++u)
+      for (int v = 0; u + v < parts; ++v) {
+        queries.push_back(pa + (u + 1.0 / 3.0) / parts * (pb - pa) + (v + 1.0 / 3.0) / parts * (pc - pa));
+        extents.push_back(extent);
+      }
+  }
+  std::vector<SurfaceFoot> feet;
+  fit.project(queries, feet);
+  std::vector<Eigen::Vector3f> positions(feet_.size());
+  std::vector<Patch> fitted(feet_.size());
+  for (std::size_t k = 0; k < feet_.size(); ++k) {
+    positions[feet_.originalIndex(k)] = feet_.point(k);
+    fitted[feet_.originalIndex(k)] = patches_[k];
+  }
+  for (std::size_t k = 0; k < feet.size(); ++k)
+    if (feet[k].valid) {
+      positions.push_back(feet[k].position.cast<float>());
+      fitted.push_back(patchOf(feet[k], extents[k]));
+    }
+  keep(std::move(positions), fitted, graph.size());
+}
+
+void
+BallReach::keep(std::vector<Eigen::Vector3f> positions, const std::vector<Patch>& fitted, std::size_t points)
+{
+  feet_ = PointBlocks(std::move(positions));
+  patches_.resize(fitted.size());
+  place_.resize(fitted.size());
+  for (std::size_t i = 0; i < fitted.size(); ++i) {
+    patches_[i] = fitted[feet_.originalIndex(i)];
+    place_[feet_.originalIndex(i)] = static_cast<std::uint32_t>(i);
+    widest_ = std::max(widest_, patches_[i].extent);
+  }
+  place_.resize(points);
 }
 
 void
@@ -150,15 +205,7 @@ BallReach::fitPatches(const SurfaceGraph& graph, const MlsSurface& fit, const st
   positions.insert(positions.end(), outside.begin(), outside.end());
   if (!outside.empty())
     beyond_ = PointBlocks(std::move(outside));
-  feet_ = PointBlocks(std::move(positions));
-  patches_.resize(fitted.size());
-  place_.resize(fitted.size());
-  for (std::size_t i = 0; i < fitted.size(); ++i) {
-    patches_[i] = fitted[feet_.originalIndex(i)];
-    place_[feet_.originalIndex(i)] = static_cast<std::uint32_t>(i);
-    widest_ = std::max(widest_, patches_[i].extent);
-  }
-  place_.resize(size);
+  keep(std::move(positions), fitted, size);
 }
 
 void

@@ -110,6 +110,10 @@ private:
   void countIfMissed(double height, const Eigen::Vector3d& place);
   void findUnreached(const SurfaceGraph& graph);
   void averageNormals();
+  /** Adds patches in voids between the points: a ball of less than their width would pass through there. */
+  void coverVoids(const SurfaceGraph& graph, const MlsSurface& fit);
+  /** Takes the patches at \p positions; the first \p points are those of the graph. */
+  void keep(std::vector<Eigen::Vector3f> positions, const std::vector<Patch>& fitted, std::size_t points);
   Eigen::Vector3d nearestOn(std::size_t place, const Eigen::Vector3d& from) const;
   /** The point of the surface nearest to \p from, if it is nearer than \p within. Near \p own, the steps between neighbouring patches
    *  would count as hollows: there only points nearer than \p own_within count. */
