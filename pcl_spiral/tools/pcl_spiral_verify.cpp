@@ -191,7 +191,7 @@ run(const VerifyJob& job)
 int
 main(int argc, char** argv)
 {
-  return runProgram("pcl_spiral_verify", [&] {
+  return runProgram("pcl_spiral_verify", argv, [&] {
     const VerifyJob job = parseVerifyCommandLine(argc, argv);
     if (job.help)
       printVerifyHelp(std::cout);

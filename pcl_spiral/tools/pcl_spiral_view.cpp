@@ -116,7 +116,7 @@ run(const ViewJob& job)
 int
 main(int argc, char** argv)
 {
-  return runProgram("pcl_spiral_view", [&] {
+  return runProgram("pcl_spiral_view", argv, [&] {
     const ViewJob job = parseViewCommandLine(argc, argv);
     if (job.help)
       printViewHelp(std::cout);

@@ -50,10 +50,9 @@ runMachining(const std::string& name, const Job& job)
 /** main of the program \p name, with its own \p parse and \p help. */
 template <typename Job>
 int
-machiningMain(const std::string& name, int argc, const char* const* argv, Job (*parse)(int, const char* const*),
-              void (*help)(std::ostream&))
+machiningMain(const std::string& name, int argc, char* const* argv, Job (*parse)(int, const char* const*), void (*help)(std::ostream&))
 {
-  return runProgram(name, [&] {
+  return runProgram(name, argv, [&] {
     const Job job = parse(argc, argv);
     if (job.help)
       help(std::cout);

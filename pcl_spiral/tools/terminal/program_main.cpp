@@ -5,11 +5,30 @@
 #include "setter_names.h"
 #include "terminal.h"
 
+#include <unistd.h>
+
+#include <cstdlib>
 #include <iostream>
 
-int
-runProgram(const std::string& name, const std::function<int()>& body)
+namespace {
+
+/** Threads that have nothing to do sleep, if the user did not choose otherwise: spinning, they hold up those with work where other programs
+ *  run. The OpenMP library reads this when it is loaded, before main: the program starts again. */
+void
+waitPassively(char* const* argv)
 {
+  const char* const policy = "OMP_WAIT_POLICY";
+  if (std::getenv(policy) || std::getenv("GOMP_SPINCOUNT") || setenv(policy, "passive", 1) != 0)
+    return;
+  execv("/proc/self/exe", argv); // returns where this fails: slower beside other programs, and nothing else
+}
+
+} // namespace
+
+int
+runProgram(const std::string& name, char* const* argv, const std::function<int()>& body)
+{
+  waitPassively(argv);
   constexpr int failed_on_data = 1, bad_usage = 2;
   catchSignals();
   try {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
-/** Runs \p body, which returns the program's exit code, and reports errors on stderr. \return that code; 1 if data or a file
+/** Runs \p body, which returns the program's exit code, and reports errors on stderr. Unless OMP_WAIT_POLICY or GOMP_SPINCOUNT is set,
+ *  the program first starts itself again, with \p argv and threads that sleep while they wait. \return that code; 1 if data or a file
  *  failed, 2 for a wrong command line */
-int runProgram(const std::string& name, const std::function<int()>& body);
+int runProgram(const std::string& name, char* const* argv, const std::function<int()>& body);
