@@ -11,17 +11,17 @@
 namespace pcl_spiral {
 
 /** Call \p body(i) for all i from \p first to below \p end, in any order and in parallel. \p progress: called with the share done after
- *  every 65536 of them; false cancels. Returns false if cancelled. */
+ *  every 65536 of them; false cancels. \p size: of these, how many one call stands for. Returns false if cancelled. */
 template <typename Body>
 bool
-stoppableLoop(std::int64_t first, std::int64_t end, const std::function<bool(double)>& progress, const Body& body)
+stoppableLoop(std::int64_t first, std::int64_t end, const std::function<bool(double)>& progress, const Body& body, std::int64_t size = 1)
 {
-  constexpr std::int64_t together = 65536;
+  const std::int64_t together = 65536 / size, shared_out = std::max<std::int64_t>(1, 256 / size);
   for (std::int64_t begin = first; begin < end; begin += together) {
     if (progress && !progress(static_cast<double>(begin - first) / static_cast<double>(end - first)))
       return false;
     const std::int64_t stop = std::min(end, begin + together);
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, shared_out)
     for (std::int64_t i = begin; i < stop; ++i)
       body(i);
   }

@@ -8,7 +8,9 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 
 namespace {
 
@@ -20,7 +22,9 @@ waitPassively(char* const* argv)
   const char* const policy = "OMP_WAIT_POLICY";
   if (std::getenv(policy) || std::getenv("GOMP_SPINCOUNT") || setenv(policy, "passive", 1) != 0)
     return;
-  execv("/proc/self/exe", argv); // returns where this fails: slower beside other programs, and nothing else
+  std::error_code unread;
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe", unread);
+  execv(program.c_str(), argv); // returns where this fails: slower beside other programs, and nothing else
 }
 
 } // namespace

@@ -46,4 +46,29 @@ SegmentSet::nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, doub
   return best;
 }
 
+NearestSegment
+SegmentSet::along(const Eigen::Vector3d& p, const StepOverMetric& metric, std::size_t segment, double within) const
+{
+  NearestSegment best;
+  best.distance = within;
+  const auto isNearer = [&](std::size_t s) {
+    if (s + 1 >= points_.size() || is_joint_[s])
+      return false;
+    double t = 0.0;
+    const double distance = distanceFromSegment(p, metric, points_[s], points_[s + 1], t);
+    if (!(distance < best.distance))
+      return false;
+    best = {distance, s, t};
+    return true;
+  };
+  isNearer(segment);
+  const NearestSegment here = best;
+  for (std::size_t s = segment + 1; isNearer(s); ++s)
+    ;
+  if (best.segment == here.segment)
+    for (std::size_t s = segment; s > 0 && isNearer(s - 1); --s)
+      ;
+  return best;
+}
+
 } // namespace pcl_spiral

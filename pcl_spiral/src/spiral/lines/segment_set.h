@@ -52,6 +52,8 @@ public:
    *  label \p but do not count. */
   NearestSegment nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, double within,
                          std::size_t but = NearestSegment::none) const;
+  /** An upper limit of the distance of \p p, below \p within: along a run from \p segment, while it gets nearer. */
+  NearestSegment along(const Eigen::Vector3d& p, const StepOverMetric& metric, std::size_t segment, double within) const;
   /** Call \p visit(segment) for all segments within \p within step-overs of \p p, and some beyond; a segment may come twice. */
   template <typename Visit>
   void forSegmentsNear(const Eigen::Vector3d& p, const StepOverMetric& metric, double within, Visit visit) const

@@ -11,6 +11,7 @@
 #include <pcl_spiral/spiral/step_over_field.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -23,12 +24,14 @@ constexpr double covered = 0.503;
 struct CoverTests {
   Polyline points;
   std::vector<StepOverMetric> metric;
-  std::vector<double> distances; ///< from the path, step-overs; at most 1.5
+  std::vector<std::size_t> seeds;      ///< a segment that may be near, or NearestSegment::none; empty when all are measured
+  std::vector<NearestSegment> nearest; ///< from the path, at most 1.5; upper limits where that is enough, see measure
 
   std::size_t size() const { return points.size(); }
-  void add(const Eigen::Vector3d& p, const StepOverMetric& m);
-  /** Measure the distances, from index \p first on. Returns false if \p progress cancels. */
-  bool measure(const SegmentSet& lines, std::size_t first, const std::function<bool(double)>& progress);
+  void add(const Eigen::Vector3d& p, const StepOverMetric& m, std::size_t seed = NearestSegment::none);
+  /** Measure the distances, from index \p first on: those that are more than \p exact, and upper limits of the others. Returns false if
+   *  \p progress cancels. */
+  bool measure(const SegmentSet& lines, std::size_t first, double exact, const std::function<bool(double)>& progress);
 };
 
 /** The passes of a path; a run's label is its first point. */
@@ -39,9 +42,10 @@ SegmentSet passLines(const LinkedPath& path);
 bool coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line, const ProgressCallback& progress,
                 CoverTests& tests);
 
-/** The uncovered \p places, and those of \p tests that may become uncovered when the path moves towards them. Returns false if
+/** The uncovered \p places, and those of \p tests near them that may become uncovered, because the segment of \p line that is nearest to
+ *  them may move. \p moves: whether a point of the path may; its index is the label of a run and the place in it. Returns false if
  *  \p progress cancels. */
-bool testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places, const ProgressCallback& progress,
-                  std::vector<std::size_t>& watched);
+bool testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places, const SegmentSet& line,
+                  const std::vector<std::uint8_t>& moves, const ProgressCallback& progress, std::vector<std::size_t>& watched);
 
 } // namespace pcl_spiral

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <utility>
 
@@ -31,14 +32,20 @@ struct PathRun {
   std::size_t first = 0, last = 0;
 };
 
-/** A test point that a moving path may uncover. */
+/** The path near a test point whose limit was above covered at some time. */
+struct NearPath {
+  std::vector<PathRun> runs;
+  double share = 0.0; ///< along the nearest segment
+};
+
+/** A test point that a moving path may uncover: an upper limit of its distance, which all rounds look at. */
 struct Watched {
-  Eigen::Vector3d point;
-  StepOverMetric metric;
-  std::vector<PathRun> runs; ///< of the path near it
-  std::size_t segment = 0;   ///< the nearest, from its point of the path to the next
-  double share = 0.0;        ///< along it
-  double distance = 0.0;     ///< an upper limit: it includes how far the nearest segment has moved since
+  double distance = 0.0;     ///< from the nearest segment; includes how far that has moved since it was measured
+  std::size_t segment = 0;   ///< from its point of the path to the next
+  std::uint32_t test = 0;    ///< the test point
+  std::uint32_t near = none; ///< index of its NearPath, which is looked for when the limit is above covered
+
+  static constexpr std::uint32_t none = 0xffffffffu;
 };
 
 class Mover {
@@ -57,7 +64,7 @@ public:
       figures.farthest = open.empty() ? covered : watched_[open.front()].distance;
       if (open.empty())
         break;
-      figures.farthest_place = watched_[open.front()].point;
+      figures.farthest_place = tests_.points[watched_[open.front()].test];
       pull(open);
       if (!move())
         break;
@@ -67,11 +74,10 @@ public:
 
 private:
   bool watch(double held, const ProgressCallback& progress, CoverFigures& figures);
-  void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests,
-                std::vector<std::uint8_t>& near) const;
-  bool findRuns(const std::function<bool(double)>& progress);
+  void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, std::vector<std::uint8_t>& near) const;
+  NearPath nearPath(const Watched& at) const;
   SegmentSet movingLines() const;
-  void measure(Watched& at) const;
+  void measure(Watched& at);
   bool openPlaces(const ProgressCallback& progress, std::vector<std::size_t>& open);
   void pull(const std::vector<std::size_t>& open);
   bool isTaken(std::size_t centre) const;
@@ -79,10 +85,14 @@ private:
 
   const StepOverDistance& field_;
   LinkedPath& path_;
+  CoverTests tests_;
   std::vector<Watched> watched_;
+  std::vector<NearPath> near_paths_;
+  SegmentSet lines_;                   ///< the parts of the path that may move, as they were at first
   std::vector<std::uint8_t> near_;     ///< one a point of the path: 1 within reach of an uncovered place
   std::vector<std::uint8_t> moves_;    ///< the same without the held points
   std::vector<Eigen::Vector3d> shift_; ///< one a point of the path, zero between rounds
+  std::vector<double> moved_;          ///< its length, step-overs, and one more
   std::vector<std::uint8_t> taken_;    ///< the same: middles of this round's bells
   std::vector<std::size_t> pulled_;    ///< points with a shift, some twice
   std::vector<std::size_t> centres_;   ///< points taken
@@ -93,56 +103,64 @@ bool
 Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figures)
 {
   const SegmentSet line = passLines(path_);
-  CoverTests tests;
-  if (!coverTests(field_, path_, line, partOf(progress, 0.0, 0.4), tests))
+  if (!coverTests(field_, path_, line, partOf(progress, 0.0, 0.4), tests_))
     return false;
   figures.farthest_before = covered;
   std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < tests.size(); ++i)
-    if (tests.distances[i] > covered) {
+  for (std::size_t i = 0; i < tests_.size(); ++i)
+    if (tests_.nearest[i].distance > covered) {
       places.push_back(i);
-      figures.farthest_before = std::max(figures.farthest_before, tests.distances[i]);
+      figures.farthest_before = std::max(figures.farthest_before, tests_.nearest[i].distance);
     }
   figures.farthest = figures.farthest_before;
   figures.places = places.size();
   if (places.empty())
     return true;
   std::vector<std::uint8_t> near(path_.points.size(), 0);
-  findNear(line, places, tests, near);
-  densify(near, held, grain, path_, near_, moves_);
-  shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
-  taken_.assign(path_.points.size(), 0);
-  std::vector<std::size_t> watched;
-  if (!testsToWatch(tests, places, partOf(progress, 0.4, 0.7), watched))
+  findNear(line, places, near);
+  std::vector<std::size_t> watched, dense;
+  if (!testsToWatch(tests_, places, line, near, partOf(progress, 0.4, 1.0), watched))
     return false;
-  for (const std::size_t i : watched)
-    watched_.push_back({tests.points[i], tests.metric[i], {}, 0, 0.0, tests.distances[i]});
-  return findRuns(partOf(progress, 0.7, 1.0, "coverage"));
+  densify(near, held, grain, path_, near_, moves_, dense);
+  shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
+  moved_.assign(path_.points.size() + 1, 0.0);
+  taken_.assign(path_.points.size(), 0);
+  for (const std::size_t i : watched) {
+    const NearestSegment& nearest = tests_.nearest[i];
+    Watched at;
+    at.distance = nearest.distance;
+    at.test = static_cast<std::uint32_t>(i);
+    if (nearest.segment != NearestSegment::none) {
+      const std::size_t s = line.label(nearest.segment) + line.place(nearest.segment), parts = dense[s + 1] - dense[s];
+      const auto part = std::min(parts - 1, static_cast<std::size_t>(nearest.share * static_cast<double>(parts)));
+      at.segment = dense[s] + part;
+    }
+    watched_.push_back(at);
+  }
+  tests_.nearest = {};
+  lines_ = movingLines();
+  return true;
 }
 
-/** The runs of the path near each watched point, and its nearest segment. */
-bool
-Mover::findRuns(const std::function<bool(double)>& progress)
+NearPath
+Mover::nearPath(const Watched& at) const
 {
-  const SegmentSet lines = movingLines();
-  return stoppableLoop(0, static_cast<std::int64_t>(watched_.size()), progress, [&](std::int64_t i) {
-    Watched& at = watched_[i];
-    std::vector<std::size_t> segments;
-    lines.forSegmentsNear(at.point, at.metric, looked_at, [&](std::size_t s) { segments.push_back(lines.label(s) + lines.place(s)); });
-    std::sort(segments.begin(), segments.end());
-    for (const std::size_t s : segments) {
-      if (at.runs.empty() || s > at.runs.back().last + 2 || passOf(path_.passes, s) != passOf(path_.passes, at.runs.back().first))
-        at.runs.push_back({s, s + 1});
-      at.runs.back().last = std::max(at.runs.back().last, s + 1);
-    }
-    measure(at);
-  });
+  std::vector<std::size_t> segments;
+  lines_.forSegmentsNear(tests_.points[at.test], tests_.metric[at.test], looked_at,
+                         [&](std::size_t s) { segments.push_back(lines_.label(s) + lines_.place(s)); });
+  std::sort(segments.begin(), segments.end());
+  NearPath near;
+  for (const std::size_t s : segments) {
+    if (near.runs.empty() || s > near.runs.back().last + 2 || passOf(path_.passes, s) != passOf(path_.passes, near.runs.back().first))
+      near.runs.push_back({s, s + 1});
+    near.runs.back().last = std::max(near.runs.back().last, s + 1);
+  }
+  return near;
 }
 
 /** Mark the points of the path within reach of \p places. */
 void
-Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, const CoverTests& tests,
-                std::vector<std::uint8_t>& near) const
+Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, std::vector<std::uint8_t>& near) const
 {
   const auto count = static_cast<std::int64_t>(places.size());
 #pragma omp parallel
@@ -150,7 +168,7 @@ Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, 
     std::vector<std::size_t> found;
 #pragma omp for schedule(dynamic, 256) nowait
     for (std::int64_t i = 0; i < count; ++i)
-      line.forSegmentsNear(tests.points[places[i]], tests.metric[places[i]], moved_reach,
+      line.forSegmentsNear(tests_.points[places[i]], tests_.metric[places[i]], moved_reach,
                            [&](std::size_t s) { found.push_back(line.label(s) + line.place(s)); });
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -182,17 +200,18 @@ Mover::movingLines() const
 }
 
 void
-Mover::measure(Watched& at) const
+Mover::measure(Watched& at)
 {
-  double least = at.runs.empty() ? 0.0 : 1e30;
-  for (const PathRun& run : at.runs)
+  NearPath& near = near_paths_[at.near];
+  double least = near.runs.empty() ? 0.0 : 1e30;
+  for (const PathRun& run : near.runs)
     for (std::size_t s = run.first; s < run.last; ++s) {
       double share = 0.0;
-      const double d = distanceFromSegment(at.point, at.metric, path_.points[s], path_.points[s + 1], share);
+      const double d = distanceFromSegment(tests_.points[at.test], tests_.metric[at.test], path_.points[s], path_.points[s + 1], share);
       if (d < least) {
         least = d;
         at.segment = s;
-        at.share = share;
+        near.share = share;
       }
     }
   at.distance = least;
@@ -202,13 +221,25 @@ Mover::measure(Watched& at) const
 bool
 Mover::openPlaces(const ProgressCallback& progress, std::vector<std::size_t>& open)
 {
+  std::vector<std::size_t> doubtful;
+  std::uint32_t found = static_cast<std::uint32_t>(near_paths_.size());
+  const std::uint32_t known = found;
+  for (std::size_t i = 0; i < watched_.size(); ++i)
+    if (watched_[i].distance > covered) {
+      doubtful.push_back(i);
+      if (watched_[i].near == Watched::none)
+        watched_[i].near = found++;
+    }
+  near_paths_.resize(found);
   const bool whole =
-      stoppableLoop(0, static_cast<std::int64_t>(watched_.size()), partOf(progress, 0.0, 1.0, "coverage"), [this](std::int64_t i) {
-        if (watched_[i].distance > covered)
-          measure(watched_[i]);
+      stoppableLoop(0, static_cast<std::int64_t>(doubtful.size()), partOf(progress, 0.0, 1.0, "coverage"), [&](std::int64_t k) {
+        Watched& at = watched_[doubtful[k]];
+        if (at.near >= known)
+          near_paths_[at.near] = nearPath(at);
+        measure(at);
       });
   open.clear();
-  for (std::size_t i = 0; i < watched_.size(); ++i)
+  for (const std::size_t i : doubtful)
     if (watched_[i].distance > covered)
       open.push_back(i);
   std::sort(open.begin(), open.end(), [this](std::size_t a, std::size_t b) {
@@ -232,13 +263,14 @@ Mover::pull(const std::vector<std::size_t>& open)
 {
   for (const std::size_t i : open) {
     const Watched& at = watched_[i];
-    const std::size_t centre = at.segment + (at.share > 0.5 ? 1 : 0);
+    const double share = near_paths_[at.near].share;
+    const std::size_t centre = at.segment + (share > 0.5 ? 1 : 0);
     if (isTaken(centre))
       continue;
     taken_[centre] = 1;
     centres_.push_back(centre);
-    const Eigen::Vector3d foot = (1.0 - at.share) * path_.points[at.segment] + at.share * path_.points[at.segment + 1];
-    const Eigen::Vector3d way = (at.point - foot) * ((at.distance - aim) / at.distance);
+    const Eigen::Vector3d foot = (1.0 - share) * path_.points[at.segment] + share * path_.points[at.segment + 1];
+    const Eigen::Vector3d way = (tests_.points[at.test] - foot) * ((at.distance - aim) / at.distance);
     const PassRange pass = passRanges(path_.passes, path_.points.size())[passOf(path_.passes, centre)];
     const std::size_t low = std::max(pass.begin, centre - std::min(centre, bell_points)),
                       high = std::min(pass.end - 1, centre + bell_points);
@@ -257,13 +289,18 @@ Mover::move()
 {
   std::sort(pulled_.begin(), pulled_.end());
   pulled_.erase(std::unique(pulled_.begin(), pulled_.end()), pulled_.end());
-  for (const std::size_t k : pulled_)
+  for (const std::size_t k : pulled_) {
     path_.points[k] += damping * shift_[k];
-  const auto moved = [this](std::size_t k) { return shift_[k].isZero() ? 0.0 : path_.metric[k].length(damping * shift_[k]); };
-  for (Watched& at : watched_)
-    at.distance += std::max(moved(at.segment), moved(std::min(at.segment + 1, shift_.size() - 1)));
-  for (const std::size_t k : pulled_)
+    moved_[k] = path_.metric[k].length(damping * shift_[k]);
+  }
+  const auto count = static_cast<std::int64_t>(watched_.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
+    watched_[i].distance += std::max(moved_[watched_[i].segment], moved_[watched_[i].segment + 1]);
+  for (const std::size_t k : pulled_) {
     shift_[k].setZero();
+    moved_[k] = 0.0;
+  }
   for (const std::size_t c : centres_)
     taken_[c] = 0;
   const bool any = !pulled_.empty();

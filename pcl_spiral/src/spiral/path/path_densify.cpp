@@ -11,8 +11,9 @@ namespace pcl_spiral {
 
 void
 densify(const std::vector<std::uint8_t>& near, double held, double grain, LinkedPath& path, std::vector<std::uint8_t>& dense_near,
-        std::vector<std::uint8_t>& moves)
+        std::vector<std::uint8_t>& moves, std::vector<std::size_t>& places)
 {
+  places.clear();
   LinkedPath dense;
   dense.points.reserve(path.points.size());
   dense.metric.reserve(path.points.size());
@@ -36,6 +37,7 @@ densify(const std::vector<std::uint8_t>& near, double held, double grain, Linked
       dense_near.push_back(near[i] || inside);
       moves.push_back(dense_near.back() && travelled + share * step > held);
     }
+    places.push_back(dense.points.size() - 1);
     travelled += step;
   }
   path.points = std::move(dense.points);
