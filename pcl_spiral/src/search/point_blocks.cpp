@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 namespace pcl_spiral {
 namespace {
@@ -121,6 +122,25 @@ sortSpatially(std::vector<IndexedPosition>& positions)
 
 PointBlocks::PointBlocks(std::vector<Eigen::Vector3f> points) : points_(std::move(points)), partition_(points_.size())
 {
+  sort();
+  findBoxes();
+}
+
+PointBlocks
+PointBlocks::inOrder(std::vector<Eigen::Vector3f> points)
+{
+  PointBlocks blocks;
+  blocks.points_ = std::move(points);
+  blocks.partition_ = BlockPartition(blocks.points_.size());
+  blocks.original_.resize(blocks.points_.size());
+  std::iota(blocks.original_.begin(), blocks.original_.end(), 0U);
+  blocks.findBoxes();
+  return blocks;
+}
+
+void
+PointBlocks::sort()
+{
   const auto count = static_cast<std::int64_t>(points_.size());
   std::vector<IndexedPosition> order(points_.size());
 #pragma omp parallel for schedule(static)
@@ -133,6 +153,11 @@ PointBlocks::PointBlocks(std::vector<Eigen::Vector3f> points) : points_(std::mov
     points_[i] = {order[i].x, order[i].y, order[i].z};
     original_[i] = order[i].index;
   }
+}
+
+void
+PointBlocks::findBoxes()
+{
   const std::size_t blocks = blockCount();
   boxes_.assign(std::max<std::size_t>(2, 2 * blocks), Box());
 #pragma omp parallel for schedule(static)

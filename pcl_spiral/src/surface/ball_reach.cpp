@@ -102,13 +102,13 @@ BallReach::coverVoids(const SurfaceGraph& graph, const MlsSurface& fit)
       positions.push_back(feet[k].position.cast<float>());
       fitted.push_back(patchOf(feet[k], extents[k]));
     }
-  keep(std::move(positions), fitted, graph.size());
+  keep(PointBlocks(std::move(positions)), fitted, graph.size());
 }
 
 void
-BallReach::keep(std::vector<Eigen::Vector3f> positions, const std::vector<Patch>& fitted, std::size_t points)
+BallReach::keep(PointBlocks feet, const std::vector<Patch>& fitted, std::size_t points)
 {
-  feet_ = PointBlocks(std::move(positions));
+  feet_ = std::move(feet);
   patches_.resize(fitted.size());
   place_.resize(fitted.size());
   for (std::size_t i = 0; i < fitted.size(); ++i) {
@@ -205,7 +205,7 @@ BallReach::fitPatches(const SurfaceGraph& graph, const MlsSurface& fit, const st
   positions.insert(positions.end(), outside.begin(), outside.end());
   if (!outside.empty())
     beyond_ = PointBlocks(std::move(outside));
-  keep(std::move(positions), fitted, size);
+  keep(positions.size() == size ? PointBlocks::inOrder(std::move(positions)) : PointBlocks(std::move(positions)), fitted, size);
 }
 
 void

@@ -100,6 +100,8 @@ public:
 
   PointBlocks() = default;
   explicit PointBlocks(std::vector<Eigen::Vector3f> points);
+  /** Blocks of points that stay in their order: near those of other blocks, of as many points. */
+  static PointBlocks inOrder(std::vector<Eigen::Vector3f> points);
 
   std::size_t size() const { return points_.size(); }
   const Eigen::Vector3f& point(std::size_t i) const { return points_[i]; }
@@ -149,6 +151,9 @@ public:
   std::uint32_t nearest(const Eigen::Vector3d& query) const;
 
 private:
+  void sort();
+  void findBoxes();
+
   std::vector<Eigen::Vector3f> points_;
   std::vector<std::uint32_t> original_;
   std::vector<Box> boxes_;

@@ -112,8 +112,8 @@ private:
   void averageNormals();
   /** Adds patches in voids between the points: a ball of less than their width would pass through there. */
   void coverVoids(const SurfaceGraph& graph, const MlsSurface& fit);
-  /** Takes the patches at \p positions; the first \p points are those of the graph. */
-  void keep(std::vector<Eigen::Vector3f> positions, const std::vector<Patch>& fitted, std::size_t points);
+  /** Takes the patches at \p feet; \p fitted are in the order that these were made from, the first \p points those of the graph. */
+  void keep(PointBlocks feet, const std::vector<Patch>& fitted, std::size_t points);
   Eigen::Vector3d nearestOn(std::size_t place, const Eigen::Vector3d& from) const;
   /** The point of the surface nearest to \p from, if it is nearer than \p within. Near \p own, the steps between neighbouring patches
    *  would count as hollows: there only points nearer than \p own_within count. */
