@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace pcl_spiral {
 namespace {
@@ -40,20 +41,29 @@ newPlaces(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size
   return places;
 }
 
+/** Weights of the value at t = 0 of the polynomial of \p Degree with the normal equations \p a x = b, if these determine it. The variance
+ *  of the value, divided by that of a mean of the same points, is 1.6 for a parabola on evenly spread points. */
+template <int Degree>
+std::optional<Eigen::Matrix<double, Degree + 1, 1>>
+weightsAtMiddle(const Eigen::Matrix3d& a)
+{
+  using Weights = Eigen::Matrix<double, Degree + 1, 1>;
+  const Eigen::Matrix<double, Degree + 1, Degree + 1> part = a.template topLeftCorner<Degree + 1, Degree + 1>();
+  const Eigen::LDLT<Eigen::Matrix<double, Degree + 1, Degree + 1>> solver(part);
+  const Weights weights = solver.solve(Weights::Unit(0));
+  const bool determined = solver.vectorD().minCoeff() > 1e-12 * a(0, 0) && weights(0) * a(0, 0) < largest_variance;
+  return determined ? std::optional(weights) : std::nullopt;
+}
+
 /** Value at t = 0 of the parabola with the normal equations \p a x = \p b. If the points stand in groups that do not determine a
- *  parabola, the value of the straight line; if they do not determine that, \p known. The variance of the value, divided by that of
- *  a mean of the same points, is 1.6 on evenly spread points. */
+ *  parabola, the value of the straight line; if they do not determine that, \p known. */
 Eigen::Vector3d
 valueAtMiddle(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b, const Eigen::Vector3d& known)
 {
-  for (int degree = 2; degree > 0; --degree) {
-    const Eigen::MatrixXd part = a.topLeftCorner(degree + 1, degree + 1);
-    const Eigen::LDLT<Eigen::MatrixXd> solver(part);
-    const Eigen::VectorXd first = Eigen::VectorXd::Unit(degree + 1, 0);
-    const Eigen::VectorXd weights = solver.solve(first);
-    if (solver.vectorD().minCoeff() > 1e-12 * a(0, 0) && weights(0) * a(0, 0) < largest_variance)
-      return b.topRows(degree + 1).transpose() * weights;
-  }
+  if (const auto parabola = weightsAtMiddle<2>(a))
+    return b.transpose() * *parabola;
+  if (const auto line = weightsAtMiddle<1>(a))
+    return b.topRows<2>().transpose() * *line;
   return known;
 }
 
@@ -63,7 +73,8 @@ fitted(const ScallopLoop& loop, double u, std::size_t i, double width)
 {
   const auto n = static_cast<std::ptrdiff_t>(loop.points.size());
   const double whole = loop.length();
-  const auto arc = [&](std::ptrdiff_t j) { return loop.arcs[(j % n + n) % n] + whole * std::floor(static_cast<double>(j) / n); };
+  const auto place = [n](std::ptrdiff_t j) { return j < 0 ? j + n : j < n ? j : j - n; }; // less than one lap away
+  const auto arc = [&](std::ptrdiff_t j) { return loop.arcs[place(j)] + (j < 0 ? -whole : j < n ? 0.0 : whole); };
   const auto at = static_cast<std::ptrdiff_t>(i);
   std::ptrdiff_t first = at, last = at + 1;
   while (first > at - n / 2 && (u - arc(first - 1) < width || at - first < fewest_beside))
@@ -79,7 +90,7 @@ fitted(const ScallopLoop& loop, double u, std::size_t i, double width)
     const double weight = c * c * c * (arc(j + 1) - arc(j - 1));
     const Eigen::Vector3d basis(1.0, t, t * t);
     a += weight * basis * basis.transpose();
-    b += weight * basis * (loop.points[(j % n + n) % n] - origin).transpose();
+    b += weight * basis * (loop.points[place(j)] - origin).transpose();
   }
   return origin + valueAtMiddle(a, b, loop.at(u) - origin);
 }
