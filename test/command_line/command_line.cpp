@@ -128,6 +128,22 @@ TEST_F(CommandLine, HelpShowsEveryOptionWithAnExample)
   EXPECT_EQ(run({"--version"}).out.rfind("pcl_spiral_toolpath 0.", 0), 0U);
 }
 
+TEST_F(CommandLine, StartsAgainWithThreadsThatSleepAndEndsTheSame)
+{
+  for (const char* policy : {"-uOMP_WAIT_POLICY", "OMP_WAIT_POLICY=active"}) {
+    const auto ended = [&](const Arguments& arguments) {
+      Arguments all{policy, "OMP_DISPLAY_ENV=true", program};
+      all.insert(all.end(), arguments.begin(), arguments.end());
+      return endOf(startProgram("/usr/bin/env", all, folder_), folder_);
+    };
+    const RunResult version = ended({"--version"});
+    EXPECT_EQ(version.code, 0);
+    EXPECT_NE(version.out.find("pcl_spiral_toolpath 0."), std::string::npos) << version.out;
+    EXPECT_EQ(version.err.find("OMP_WAIT_POLICY = 'PASSIVE'") != std::string::npos, policy[0] == '-') << version.err;
+    EXPECT_EQ(ended({"--no-such-option"}).code, 2);
+  }
+}
+
 TEST_F(CommandLine, RefusesBadCalls)
 {
   const std::string scan = "cap.xyz";

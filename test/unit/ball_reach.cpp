@@ -109,14 +109,20 @@ TEST(BallReach, PassesThroughNoVoidBetweenThePoints)
     std::vector<SurfaceFoot> feet;
     surface->fit().project(places, feet, 4);
     double nearest = 1e9;
+    std::size_t valid = 0;
     for (const SurfaceFoot& foot : feet) {
-      const Vector3d centre = foot.valid ? reach.centre(foot.position, foot.normal) : Vector3d::Constant(1e9);
+      if (!foot.valid)
+        continue;
+      ++valid;
+      const Vector3d centre = reach.centre(foot.position, foot.normal);
       ASSERT_TRUE(centre.allFinite());
       for (const SurfaceFoot& other : feet)
         if (other.valid)
           nearest = std::min(nearest, (centre - other.position).norm());
     }
+    EXPECT_GT(valid, 100U);
     EXPECT_GT(nearest, ball - reach.tolerance() - 0.05);
+    EXPECT_LT(nearest, ball + 0.05);
   }
 }
 

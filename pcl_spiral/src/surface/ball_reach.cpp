@@ -17,6 +17,8 @@ constexpr double own_deviations = 6.0;    // about a foot, where neighbouring pa
 constexpr double own_steps = 0.1;         // spacings: steps between them without noise, at the ends of fillets
 constexpr double missed_deviations = 6.0; // of the points about the fit, by their median: a point that is farther above it is missed
 constexpr double missed_spacings = 0.1;   // the least such height
+constexpr double widest_void = 6.0;       // spacings: of voids between points that a path may cross
+constexpr int widest_search = 4;          // of the fit in a void, as for the path there
 constexpr int most_shrinks = 40;          // of the ball at one foot; a few are usual
 constexpr double settled = 1e-4;          // of the radius: the ball shrinks no more
 constexpr std::size_t chunk = 1u << 16;   // points fitted together
@@ -72,15 +74,17 @@ void
 BallReach::coverVoids(const SurfaceGraph& graph, const MlsSurface& fit)
 {
   const Triangulation& triangles = graph.triangulation();
+  const double sunk = std::sqrt(2.0 * radius_ * tolerance_); // chord from the middle at which a ball sinks by the tolerance
+  const double near = 2.0 * radius_ + widest_void * graph.spacing();
   std::vector<Eigen::Vector3d> queries;
   std::vector<double> extents;
   for (std::size_t t = 0; t < triangles.triangleCount(); ++t) {
     const auto& [a, b, c] = triangles.triangle(t);
     const Eigen::Vector3d pa = graph.position(a), pb = graph.position(b), pc = graph.position(c);
-    const double extent = patch_spacings * std::min({graph.spacing(a), graph.spacing(b), graph.spacing(c)});
-    if (coveringRadiusOf(pa, pb, pc) <= extent)
+    const double extent = patch_spacings * (graph.spacing(a) + graph.spacing(b) + graph.spacing(c)) / 3.0;
+    if (coveringRadiusOf(pa, pb, pc) <= extent + sunk || !isNearUnreached((pa + pb + pc) / 3.0, near))
       continue;
-    // The middles of triangles half as large each time, until patches of this extent cover them.
+    // Cut into triangles with sides of at most two extents: the patches at the middles of those that stand as the whole one cover all.
     const double longest = std::sqrt(std::max({(pb - pa).squaredNorm(), (pc - pb).squaredNorm(), (pa - pc).squaredNorm()}));
     const auto parts = static_cast<int>(std::ceil(longest / (2.0 * extent)));
     for (int u = 0; u < parts; ++u)
@@ -89,8 +93,10 @@ BallReach::coverVoids(const SurfaceGraph& graph, const MlsSurface& fit)
         extents.push_back(extent);
       }
   }
+  if (queries.empty())
+    return;
   std::vector<SurfaceFoot> feet;
-  fit.project(queries, feet);
+  fit.project(queries, feet, widest_search);
   std::vector<Eigen::Vector3f> positions(feet_.size());
   std::vector<Patch> fitted(feet_.size());
   for (std::size_t k = 0; k < feet_.size(); ++k) {

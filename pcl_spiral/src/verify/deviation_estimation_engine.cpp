@@ -81,12 +81,14 @@ private:
     return std::numeric_limits<float>::quiet_NaN();
   }
 
-  /** Whether a contact without a fit is no farther from the rim than planners go: the outermost points may be sparse there. */
+  /** Whether a contact without a fit is no farther from the rim of a scan, along the surface, than planners go: the outermost points may
+   *  be sparse there. */
   bool isAtRim(const Eigen::Vector3d& p) const
   {
-    constexpr double most = 0.5 * 1.01; // spacings; the place of a contact is rounded
-    const double limit = most * reference_.graph().spacing();
-    return reference_.rimDistance(p, limit) < limit;
+    constexpr double most = 0.5 * 1.01, highest = 0.1; // spacings; the place of a contact is rounded; a rim is known to a tenth
+    const SurfaceGraph& graph = reference_.graph();
+    const std::optional<Eigen::Vector3d> rim = reference_.mesh() ? std::nullopt : reference_.nearestOnRim(p, most * graph.spacing());
+    return rim && std::abs((p - *rim).dot(graph.normal(graph.blocks().nearest(p)))) < highest * graph.spacing();
   }
 
   void takeNormal(std::size_t i, const SurfaceFoot& foot)

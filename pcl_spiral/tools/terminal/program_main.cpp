@@ -15,16 +15,18 @@
 namespace {
 
 /** Threads that have nothing to do sleep, if the user did not choose otherwise: spinning, they hold up those with work where other programs
- *  run. The OpenMP library reads this when it is loaded, before main: the program starts again. */
+ *  run. The OpenMP library reads this when it is loaded, before main: the program \p name starts again. Not under tools that run it
+ *  in their own way, as valgrind, which loads a library before it, or a loader that is called with its name. */
 void
-waitPassively(char* const* argv)
+waitPassively(const std::string& name, char* const* argv)
 {
   const char* const policy = "OMP_WAIT_POLICY";
-  if (std::getenv(policy) || std::getenv("GOMP_SPINCOUNT") || setenv(policy, "passive", 1) != 0)
-    return;
   std::error_code unread;
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe", unread);
-  execv(program.c_str(), argv); // returns where this fails: slower beside other programs, and nothing else
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unread);
+  if (program.filename() != name || std::getenv("LD_PRELOAD") || std::getenv(policy) || std::getenv("GOMP_SPINCOUNT"))
+    return;
+  if (setenv(policy, "passive", 1) == 0)
+    execv(program.c_str(), argv); // returns where this fails: slower beside other programs, and nothing else
 }
 
 } // namespace
@@ -32,7 +34,7 @@ waitPassively(char* const* argv)
 int
 runProgram(const std::string& name, char* const* argv, const std::function<int()>& body)
 {
-  waitPassively(argv);
+  waitPassively(name, argv);
   constexpr int failed_on_data = 1, bad_usage = 2;
   catchSignals();
   try {

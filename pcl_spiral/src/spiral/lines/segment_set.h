@@ -52,7 +52,8 @@ public:
    *  label \p but do not count. */
   NearestSegment nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, double within,
                          std::size_t but = NearestSegment::none) const;
-  /** An upper limit of the distance of \p p, below \p within: along a run from \p segment, while it gets nearer. */
+  /** An upper limit of the distance of \p p, found along a run from \p segment while that gets nearer; no segment, and \p within, if
+   *  nothing there is nearer. */
   NearestSegment along(const Eigen::Vector3d& p, const StepOverMetric& metric, std::size_t segment, double within) const;
   /** Call \p visit(segment) for all segments within \p within step-overs of \p p, and some beyond; a segment may come twice. */
   template <typename Visit>

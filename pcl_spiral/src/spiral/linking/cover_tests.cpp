@@ -132,7 +132,7 @@ coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentS
   for (std::size_t i = 0; i < path.links.size(); ++i)
     tests.add(path.links[i], path.link_metric[i]);
   const bool whole = tests.measure(line, nodes, covered, partOf(progress, 0.5, 1.0, "coverage"));
-  tests.seeds = {};
+  std::vector<std::size_t>().swap(tests.seeds);
   return whole;
 }
 

@@ -116,7 +116,7 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
   figures.places = places.size();
   if (places.empty())
     return true;
-  std::vector<std::uint8_t> near(path_.points.size(), 0);
+  std::vector<std::uint8_t> near(path_.points.size() + 1, 0); // the segment of a single point has a second end
   findNear(line, places, near);
   std::vector<std::size_t> watched, dense;
   if (!testsToWatch(tests_, places, line, near, partOf(progress, 0.4, 1.0), watched))
@@ -137,7 +137,7 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
     }
     watched_.push_back(at);
   }
-  tests_.nearest = {};
+  std::vector<NearestSegment>().swap(tests_.nearest);
   lines_ = movingLines();
   return true;
 }

@@ -40,6 +40,7 @@ densify(const std::vector<std::uint8_t>& near, double held, double grain, Linked
     places.push_back(dense.points.size() - 1);
     travelled += step;
   }
+  places.push_back(dense.points.size());
   path.points = std::move(dense.points);
   path.metric = std::move(dense.metric);
   path.reversed = std::move(dense.reversed);

@@ -100,7 +100,7 @@ public:
 
   PointBlocks() = default;
   explicit PointBlocks(std::vector<Eigen::Vector3f> points);
-  /** Blocks of points that stay in their order: near those of other blocks, of as many points. */
+  /** Blocks of points that keep their order, which must be that of blocks already, as the feet of the points of other blocks have. */
   static PointBlocks inOrder(std::vector<Eigen::Vector3f> points);
 
   std::size_t size() const { return points_.size(); }

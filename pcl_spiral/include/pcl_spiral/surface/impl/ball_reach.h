@@ -46,7 +46,8 @@ struct BallObstacles {
  *  obstacles the ball is lifted along the normal of its foot, as when a cutter is dropped onto points (drop cutter). Where the surface
  *  continues beyond the graph, its patches hold the ball as those of the graph do.
  *
- *  Every point is looked at once: near-linear, in parallel, the same for any number of threads. Memory: about 70 bytes per point. */
+ *  Every point is looked at once: near-linear, in parallel, the same for any number of threads. Memory: about 70 bytes per point, and per
+ *  patch in a void between points, where the ball does not reach all of them. */
 class BallReach {
 public:
   /** \p graph and \p fit must outlive it. \p tolerance, mm: depth that counts as noise of the surface. \p beyond: the surface beside that
@@ -110,7 +111,7 @@ private:
   void countIfMissed(double height, const Eigen::Vector3d& place);
   void findUnreached(const SurfaceGraph& graph);
   void averageNormals();
-  /** Adds patches in voids between the points: a ball of less than their width would pass through there. */
+  /** Adds patches in the voids about unreached points in which a ball would sink by more than the tolerance between the patches. */
   void coverVoids(const SurfaceGraph& graph, const MlsSurface& fit);
   /** Takes the patches at \p feet; \p fitted are in the order that these were made from, the first \p points those of the graph. */
   void keep(PointBlocks feet, const std::vector<Patch>& fitted, std::size_t points);
