@@ -153,6 +153,48 @@ TEST(Drive, SurfaceThatPlanesDoNotReachIsAWarningWithItsRemedy)
   EXPECT_EQ(warned({"--drive", "helix"}).find("is not cut"), std::string::npos);
 }
 
+/** The wall leans at the lower end, so that the last ring touches it 0.4 mm beside its place: by the exact wall. */
+TEST(Drive, AnEndThatRingsLeaveHigherThanTheScallopIsAWarningWithItsRemedy)
+{
+  const auto radius = [](double z) { return 20.0 + 0.7 * std::sin(z / 8.0); };
+  const ScratchFolder folder;
+  std::ostringstream scan;
+  for (int line = 0; line < 160; ++line)
+    for (int i = 0; i <= 40; ++i) {
+      const double angle = 2.0 * M_PI * line / 160.0, z = 0.75 * i;
+      scan << radius(z) * std::cos(angle) << ' ' << radius(z) * std::sin(angle) << ' ' << z << '\n';
+    }
+  writeText(folder.path("leaning.xyz"), scan.str());
+  const auto drive = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"leaning.xyz", "--drive", "rings", "--tool-radius", "5", "--scallop", "0.05", "-o", "a.csv"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const RunResult done = run(folder, arguments);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return done.err;
+  };
+  const auto leftAtEnd = [&] { // over the wall at z = 0, as the nearest ball
+    double most = 0.0;
+    const std::vector<std::vector<double>> path = rows(readText(folder.path("a.csv")));
+    for (int k = 0; k < 36; ++k) {
+      double least = 1e9;
+      for (const std::vector<double>& row : path)
+        least = std::min(least, std::hypot(row[2] + 5.0 * row[5] - radius(0.0) * std::cos(M_PI * k / 18.0),
+                                           row[3] + 5.0 * row[6] - radius(0.0) * std::sin(M_PI * k / 18.0), row[4] + 5.0 * row[7]));
+      most = std::max(most, least - 5.0);
+    }
+    return most;
+  };
+  const std::string warned = drive({}), remedy = "extend the path beyond the ends, such as --overrun ";
+  expectHas(warned, " mm at an end of the column are not cut");
+  expectHas(warned, remedy);
+  EXPECT_GT(leftAtEnd(), 0.08);
+  std::istringstream rest(warned.substr(warned.find(remedy) + remedy.size()));
+  std::string overrun;
+  rest >> overrun;
+  EXPECT_EQ(drive({"--overrun", overrun}).find("are not cut"), std::string::npos);
+  EXPECT_LT(leftAtEnd(), 0.055);
+}
+
 TEST(Drive, PlanesAreOnePassEachAndLeaveTheSurfaceBetween)
 {
   const ScratchFolder folder;

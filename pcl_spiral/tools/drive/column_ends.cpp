@@ -56,8 +56,9 @@ warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& re
     for (const ToolLocation& location : pass)
       if (location.state != LocationState::NoCloud)
         contacts.add(location.contact);
+  constexpr double share = 0.525; // of a step-over: half of one leaves the scallop height at an end, this 1.1 times that
   const double missed = scan.missedBy(contacts);
-  if (!(missed > result.drive.step_over))
+  if (!(missed > share * result.drive.step_over))
     return;
   const double most = job.cutter.radius + result.drive.step_over, overrun = std::min(job.drive.overrun + missed, most);
   const bool helps = job.drive.axisMode() == DriveAxisMode::Cylinder && job.drive.overrun < most;
