@@ -51,7 +51,7 @@ areDecimals(const std::vector<Vector3d>& positions, const Unit& unit)
 double
 roundingOf(const std::vector<Vector3d>& positions, double largest)
 {
-  constexpr int most = 7;
+  constexpr int most = 7; // digits: floats hold no more
   const double of_floats = std::ldexp(largest, -24);
   const auto power = [](int n) { return std::pow(10.0, n); };
   const int magnitude = static_cast<int>(std::floor(std::log10(largest)));

@@ -85,10 +85,13 @@ private:
    *  be sparse there. */
   bool isAtRim(const Eigen::Vector3d& p) const
   {
-    constexpr double most = 0.5 * 1.01, highest = 0.1; // spacings; the place of a contact is rounded; a rim is known to a tenth
+    constexpr double most = 0.5 * 1.01; // spacings; the place of a contact is rounded
+    constexpr double bend = 1.0 / 16.0; // spacings: of half a spacing about the tightest radius of a scan, two spacings
+    constexpr double deviations = 3.0;  // of the fit, as leastShown
     const SurfaceGraph& graph = reference_.graph();
     const std::optional<Eigen::Vector3d> rim = reference_.mesh() ? std::nullopt : reference_.nearestOnRim(p, most * graph.spacing());
-    return rim && std::abs((p - *rim).dot(graph.normal(graph.blocks().nearest(p)))) < highest * graph.spacing();
+    return rim &&
+           std::abs((p - *rim).dot(graph.normal(graph.blocks().nearest(p)))) < bend * graph.spacing() + deviations * reference_.fitNoise();
   }
 
   void takeNormal(std::size_t i, const SurfaceFoot& foot)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "column_ends.h"
 
+#include "scallop_check.h"
+
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 
@@ -56,9 +58,9 @@ warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& re
     for (const ToolLocation& location : pass)
       if (location.state != LocationState::NoCloud)
         contacts.add(location.contact);
-  constexpr double share = 0.525; // of a step-over: half of one leaves the scallop height at an end, this 1.1 times that
-  const double missed = scan.missedBy(contacts);
-  if (!(missed > share * result.drive.step_over))
+  // At the distance d from the last contact, d^2 / (2 R) is left: the scallop height at half a step-over.
+  const double missed = scan.missedBy(contacts), most_missed = 0.5 * std::sqrt(more_left) * result.drive.step_over;
+  if (!(missed > most_missed))
     return;
   const double most = job.cutter.radius + result.drive.step_over, overrun = std::min(job.drive.overrun + missed, most);
   const bool helps = job.drive.axisMode() == DriveAxisMode::Cylinder && job.drive.overrun < most;

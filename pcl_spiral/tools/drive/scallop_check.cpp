@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t most_places = 6000;
 constexpr double ignored_share = 0.02; // of the surface: steep rims, creases
-constexpr double more = 1.1;           // than the height asked for
 
 struct Place {
   Vector3d x, normal;
@@ -104,7 +103,8 @@ remedyOf(const Job& job, const Result& result, double height)
 {
   const bool can_keep = job.drive.kind == DriveKind::Planes && job.drive.rows == DriveRows::Even && !job.mesh &&
                         job.drive.axisMode() != DriveAxisMode::Cylinder;
-  const std::string higher = more * height < job.cutter.radius ? textOf(", ask for --scallop ", more * height) : ""; // else refused
+  const std::string higher =
+      more_left * height < job.cutter.radius ? textOf(", ask for --scallop ", more_left * height) : ""; // else refused
   return textOf(can_keep ? "use --rows kept" : "take a cutter with a smaller radius", higher, ", or give --step-over ",
                 result.drive.step_over, " instead, which promises no height");
 }
@@ -144,7 +144,7 @@ requireScallop(const Job& job, const Surface::ConstPtr& surface, Result& result)
     result.warnings.push_back(uncut);
   if (!(job.scallop > 0.0))
     return;
-  const double allowed = more * job.scallop + job.tolerance, nothing = 2.0 * job.cutter.radius;
+  const double allowed = more_left * job.scallop + job.tolerance, nothing = 2.0 * job.cutter.radius;
   std::size_t over = 0, met = 0, worst = 0;
   for (std::size_t i = 0; i < left.size(); ++i) {
     if (left[i] >= nothing)

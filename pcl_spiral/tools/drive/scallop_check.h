@@ -8,6 +8,9 @@
 
 #include <pcl_spiral/surface/surface.h>
 
+/** Of the scallop height asked for: what passes may leave, for the errors of its measure. */
+constexpr double more_left = 1.1;
+
 /** Moves the cutter along its passes and measures what it leaves over the surface of the scan, or over the mesh. Refuses passes that
  *  leave more than --scallop and --tolerance on more than a fiftieth of it, and warns where they do on less. Warns, also without
  *  --scallop, where rows of a fixed axis do not reach more than a fiftieth of a scan. \p surface is null for a mesh, and for points

@@ -79,7 +79,7 @@ CoverTests::measure(const SegmentSet& lines, std::size_t first, double exact, co
       }
       nearest[i] = best;
       if (best.segment != NearestSegment::none && best.segment != last[0]) {
-        constexpr std::size_t one_turn = 8; // segments
+        constexpr std::size_t one_turn = 8; // segments; decides only how soon a walk ends
         if (last[0] == NearestSegment::none || std::max(best.segment, last[0]) - std::min(best.segment, last[0]) > one_turn)
           last[1] = last[0];
         last[0] = best.segment;
