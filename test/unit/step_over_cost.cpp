@@ -76,7 +76,7 @@ TEST(StepOverCost, ThinTrianglesAreNotCorrectedWithoutEnd)
   const double narrow = meanVisits(made, 0.005, field);
   EXPECT_GT(field.mesh.size(), 3 * nodes);
   EXPECT_GE(wide, 1.0 - visits_a_call / static_cast<double>(nodes)); // every node is visited
-  EXPECT_LT(wide, 1.5);
+  EXPECT_LT(wide, 2.0);          // nodes beside a part that is cut, and those with thin triangles, are visited again
   EXPECT_LT(narrow, 1.1 * wide); // the cost grows as the nodes do
 }
 
@@ -96,7 +96,7 @@ TEST(StepOverCost, ItEndsAtTheFirstCallThatCancels)
   StepOverDistance field;
   const auto runUntil = [&](std::size_t last) {
     std::size_t calls = 0;
-    const Status status = measureStepOvers(*made.surface, made.loops, {tool_radius, 0.02, 0.0}, field,
+    const Status status = measureStepOvers(*made.surface, made.loops, {tool_radius, 0.005, 0.0}, field,
                                            [&](double, const std::string&) { return ++calls < last; });
     return std::make_pair(status.code(), calls);
   };

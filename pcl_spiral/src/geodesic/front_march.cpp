@@ -16,30 +16,6 @@ constexpr std::size_t piece = 64;   // points of the front that one thread takes
 
 } // namespace
 
-void
-BucketQueue::push(std::uint32_t point, double distance)
-{
-  // Beyond the last bucket: put into it.
-  const double place = std::max(0.0, distance) / width_;
-  const double last = static_cast<double>(current_ + buckets_.size() - 1);
-  const auto bucket = static_cast<std::size_t>(std::min(place, last));
-  buckets_[std::max(bucket, current_) % buckets_.size()].push_back(point);
-  ++waiting_;
-}
-
-bool
-BucketQueue::pop(std::vector<std::uint32_t>& points)
-{
-  points.clear();
-  if (waiting_ == 0)
-    return false;
-  while (buckets_[current_ % buckets_.size()].empty())
-    ++current_;
-  points.swap(buckets_[current_ % buckets_.size()]);
-  waiting_ -= points.size();
-  return true;
-}
-
 FrontMarch::FrontMarch(const SurfaceGraph& graph, std::vector<double>& distances, std::vector<Eigen::Vector3f>& gradients)
 : graph_(graph), mesh_(graph.triangulation()), distances_(distances), gradients_(gradients), centres_(graph.size(), 0.0),
   state_(graph.size(), State::Far), least_gain_(least_gain * graph.spacing()), queue_(bucket_width * graph.spacing(), bucket_count)

@@ -19,7 +19,7 @@ checkField(const StepOverDistance& field)
     return {StatusCode::InvalidInput, "the field is empty: give a field made by StepOverField, or a null pointer and a cloud "
                                       "(setInputField)"};
   if (field.mesh.rims.empty() || field.mesh.metric.size() != nodes || field.mesh.normals.size() != nodes ||
-      field.distance.size() != nodes || field.is_fine.size() != nodes || field.is_weak.size() != triangles)
+      field.distance.size() != nodes || field.is_cut.size() != nodes || field.is_fine.size() != nodes || field.is_weak.size() != triangles)
     return {StatusCode::InvalidInput, textOf("the field has ", nodes, " nodes and ", triangles, " triangles, but ", field.distance.size(),
                                              " distances, ", field.is_weak.size(), " marks of triangles and ", field.mesh.rims.size(),
                                              " rims: give a field made by StepOverField (setInputField)")};

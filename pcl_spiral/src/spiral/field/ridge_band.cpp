@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_band.h"
 
+#include "ridge_climb.h"
+
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
 #include <utility>
 
 namespace pcl_spiral {
 namespace {
 
-constexpr double near_band = 1.5; // step-overs
+constexpr float near_band = 1.5f; // step-overs
 
 /** Mark the corners of every triangle that has a corner marked in \p before. */
 void
@@ -39,10 +43,31 @@ RidgeBand::RidgeBand(const StepOverDistance& field) : field_(field)
 void
 RidgeBand::findNear()
 {
+  using Entry = std::pair<float, std::uint32_t>;
+  const Triangulation& triangles = field_.mesh.triangles;
   is_near_ = field_.is_fine;
-  for (int ring = 0; ring < static_cast<int>(std::ceil(near_band / field_.usual_edge)); ++ring) {
-    const std::vector<std::uint8_t> before = is_near_;
-    spread(field_.mesh.triangles, before, is_near_);
+  std::vector<float> reached(field_.mesh.size(), std::numeric_limits<float>::infinity());
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  const auto walkFrom = [&](std::uint32_t v, float walked) {
+    forNeighbours(triangles, v, [&](std::uint32_t w) {
+      if (field_.is_fine[w])
+        return;
+      const float there = walked + static_cast<float>(edgeLength(field_.mesh, v, w));
+      if (there >= reached[w])
+        return;
+      reached[w] = there;
+      is_near_[w] = 1; // the first beyond the reach too: it ends an edge that begins within
+      if (there < near_band)
+        front.push({there, w});
+    });
+  };
+  for (const std::uint32_t v : nodes_)
+    walkFrom(v, 0.0f);
+  while (!front.empty()) {
+    const auto [walked, v] = front.top();
+    front.pop();
+    if (walked <= reached[v])
+      walkFrom(v, walked);
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The refined nodes of a field, found by distance and by position.
+ *  The nodes of the narrow band of a field, found by distance and by position.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** The band about the ridges of a field. */
+/** The narrow band about the ridges of a field. */
 class RidgeBand {
 public:
   explicit RidgeBand(const StepOverDistance& field);

@@ -2,6 +2,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
+#include "finger_axes.h"
 #include "mesh_refinement.h"
 #include "scallop_size.h"
 #include "step_over_march.h"
@@ -18,9 +19,14 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double parts_a_step = 8.0;   // edges of the refined band
-constexpr double ridge_turn = 14.0;    // degrees
-constexpr double band_width = 1.4;     // step-overs on either side of a ridge
+constexpr double wide_parts = 4.0;   // edges a step-over of the wide band
+constexpr double narrow_parts = 8.0; // the same of the narrow band
+constexpr double ridge_turn = 14.0;  // degrees
+constexpr double wide_band = 1.4;    // step-overs on either side of a ridge
+/** The same of the narrow band. A place that is not covered lies farther than half a step-over from the loops below, so D, which rises
+ *  by 1 per step-over, would reach the next loops within half a step-over, if it did not end on a ridge before; and fingers from there
+ *  reach as far again as they are wide. */
+constexpr double narrow_band = 0.5 + finger_radius;
 constexpr double band_gradient = 0.94; // |grad D| below which triangles join the band
 constexpr double weak_gradient = 0.97;
 constexpr double least_clear = 2.5; // spacings
@@ -54,9 +60,9 @@ grow(const Triangulation& triangles, std::vector<std::uint8_t>& chosen, std::siz
       chosen[t] |= node[v];
 }
 
-/** Triangles about the ridges of \p distance, and triangles in which it is not a true distance. */
+/** Triangles within \p width step-overs of the ridges of \p distance. \p edge: of the mesh there. */
 std::vector<std::uint8_t>
-ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double usual_edge)
+aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, double width, double edge)
 {
   const std::vector<float> agreement = gradientAgreement(mesh, distance);
   const auto least = static_cast<float>(std::cos(ridge_turn * pi / 180.0));
@@ -64,8 +70,16 @@ ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double 
   for (std::size_t t = 0; t < chosen.size(); ++t)
     for (const std::uint32_t v : mesh.triangles.triangle(t))
       chosen[t] |= agreement[v] < least;
-  for (int ring = 0; ring < static_cast<int>(std::ceil(band_width / usual_edge)); ++ring)
+  for (int ring = 0; ring < static_cast<int>(std::ceil(width / edge)); ++ring)
     grow(mesh.triangles, chosen, mesh.size());
+  return chosen;
+}
+
+/** Triangles about the ridges of \p distance, and triangles in which it is not a true distance. */
+std::vector<std::uint8_t>
+wideBand(const StepOverMesh& mesh, const std::vector<double>& distance, double edge)
+{
+  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, wide_band, edge);
   const std::vector<float> lengths = gradientLengths(mesh, distance);
   std::vector<std::uint8_t> weak(chosen.size(), 0);
   for (std::size_t t = 0; t < chosen.size(); ++t)
@@ -73,6 +87,17 @@ ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double 
   grow(mesh.triangles, weak, mesh.size());
   for (std::size_t t = 0; t < chosen.size(); ++t)
     chosen[t] |= weak[t];
+  return chosen;
+}
+
+/** Triangles about the ridges of \p distance among those cut once. */
+std::vector<std::uint8_t>
+narrowBand(const StepOverMesh& mesh, const std::vector<double>& distance, const std::vector<std::uint8_t>& is_cut, double edge)
+{
+  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, narrow_band, edge);
+  for (std::size_t t = 0; t < chosen.size(); ++t)
+    for (const std::uint32_t v : mesh.triangles.triangle(t))
+      chosen[t] &= is_cut[v];
   return chosen;
 }
 
@@ -130,23 +155,31 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
     return status;
   field.usual_edge = medianEdge(coarse);
   field.least_length = leastLength(coarse, options.reserve);
-  const int parts = std::max(2, static_cast<int>(std::ceil(parts_a_step * field.usual_edge)));
-  {
-    const std::vector<double> distance = distancesFromRims(coarse, {}, part(0.1, 0.2));
-    if (distance.empty())
-      return cancelled;
-    if (const Status status = checkWidth(coarse, distance, surface.spacing()); !status.ok())
+  const double parts = std::max(2.0, std::ceil(narrow_parts * field.usual_edge));
+  const int first = std::max(1, static_cast<int>(std::ceil(wide_parts * field.usual_edge)));
+  const int second = static_cast<int>(std::ceil(parts / first));
+  field.mesh = std::move(coarse);
+  MarchedDistances marched;
+  /** Cuts the chosen triangles, and measures anew what depends on them. */
+  const auto cut = [&](const std::vector<std::uint8_t>& chosen, int pieces, double from, double to) -> Status {
+    if (const Status status = checkMeshSize(field.mesh, chosen, pieces, options); !status.ok())
       return status;
-    const std::vector<std::uint8_t> band = ridgeBand(coarse, distance, field.usual_edge);
-    if (const Status status = checkMeshSize(coarse, band, parts, options); !status.ok())
-      return status;
-    if (!go_on(0.2))
-      return cancelled;
-    field.mesh = refined(std::move(coarse), band, parts, field.is_fine);
-  }
-  field.distance = distancesFromRims(field.mesh, {}, part(0.4, 1.0));
-  if (field.distance.empty())
+    forgetBehind(field.mesh, chosen, marched);
+    field.mesh = refined(std::move(field.mesh), chosen, pieces, field.is_fine);
+    return marchOn(field.mesh, marched, part(from, to)) ? Status::success() : cancelled;
+  };
+  if (!marchOn(field.mesh, marched, part(0.1, 0.3)))
     return cancelled;
+  if (const Status status = checkWidth(field.mesh, marched.distance, surface.spacing()); !status.ok())
+    return status;
+  if (const Status status = cut(wideBand(field.mesh, marched.distance, field.usual_edge), first, 0.4, 0.6); !status.ok())
+    return status;
+  field.cut_edge = field.usual_edge / first;
+  field.is_cut = field.is_fine;
+  if (const Status status = cut(narrowBand(field.mesh, marched.distance, field.is_cut, field.cut_edge), second, 0.7, 1.0); !status.ok())
+    return status;
+  field.is_cut.resize(field.mesh.size(), 1);
+  field.distance = std::move(marched.distance);
   for (std::size_t v = 0; v < field.mesh.size(); ++v) {
     if (!std::isfinite(field.distance[v]))
       return {StatusCode::Failed,

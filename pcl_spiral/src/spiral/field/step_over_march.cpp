@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step_over_march.h"
 
+#include "geodesic/bucket_queue.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <utility>
 
 namespace pcl_spiral {
@@ -14,6 +15,9 @@ namespace {
 
 constexpr double worth_a_step = 1e-7;         // a smaller gain does not count as a shorter way
 constexpr std::size_t visits_a_report = 4096; // from one report of the progress to the next
+constexpr std::size_t piece = 64;             // nodes of a round that one thread takes at a time
+constexpr std::size_t edges_looked_at = 4096; // for their median
+constexpr std::size_t bucket_count = 4096;
 
 using Sides = std::array<float, 3>;
 
@@ -56,7 +60,153 @@ worthAgain(std::uint8_t visits)
   return std::ldexp(worth_a_step, visits);
 }
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr MarchedDistances::Side nowhere{Triangulation::none, Triangulation::none};
+
+/** Carries known distances to the nodes with infinite ones. */
+class StepOverMarch {
+public:
+  StepOverMarch(const StepOverMesh& mesh, MarchedDistances& marched)
+  : mesh_(mesh.triangles), distance_(marched.distance), over_(marched.over), sides_(allSides(mesh)), visits_(mesh.size(), 0),
+    waiting_(mesh.size(), 0), queue_(0.25 * usualEdge(), bucket_count)
+  {
+    bool any = false;
+    for (const double d : distance_) {
+      unknown_ += !std::isfinite(d);
+      if (std::isfinite(d) && (!any || d < least_))
+        least_ = d;
+      any = any || std::isfinite(d);
+    }
+    for (std::uint32_t v = 0; v < mesh.size(); ++v)
+      if (std::isfinite(distance_[v]) && isBesideUnknown(v))
+        wait(v);
+  }
+
+  bool run(const std::function<bool(double)>& progress)
+  {
+    std::size_t visits = 0, reports = 0;
+    while (queue_.pop(round_)) {
+      settle();
+      visits += round_.size();
+      if (visits / visits_a_report != reports) {
+        reports = visits / visits_a_report;
+        if (progress && !progress(std::min(1.0, static_cast<double>(visits) / static_cast<double>(unknown_ + 1))))
+          return false;
+      }
+      const auto pieces = static_cast<std::int64_t>((round_.size() + piece - 1) / piece);
+      if (ways_.size() < static_cast<std::size_t>(pieces))
+        ways_.resize(pieces);
+#pragma omp parallel for schedule(dynamic) if (pieces > 2)
+      for (std::int64_t p = 0; p < pieces; ++p) {
+        ways_[p].clear();
+        for (std::size_t i = p * piece; i < std::min(round_.size(), (p + 1) * piece); ++i)
+          visit(round_[i], ways_[p]);
+      }
+      for (std::int64_t p = 0; p < pieces; ++p)
+        for (const Way& way : ways_[p])
+          if (way.distance < distance_[way.to] - worthAgain(visits_[way.to])) {
+            distance_[way.to] = way.distance;
+            over_[way.to] = way.over;
+            wait(way.to);
+          }
+    }
+    return true;
+  }
+
+private:
+  struct Way {
+    double distance;
+    MarchedDistances::Side over;
+    std::uint32_t to;
+  };
+
+  bool hasUnknown(std::size_t t) const
+  {
+    const auto& c = mesh_.triangle(t);
+    return !std::isfinite(distance_[c[0]]) || !std::isfinite(distance_[c[1]]) || !std::isfinite(distance_[c[2]]);
+  }
+  bool isBesideUnknown(std::uint32_t v) const
+  {
+    for (std::size_t o = mesh_.outgoingBegin(v); o < mesh_.outgoingBegin(v + 1); ++o)
+      if (hasUnknown(mesh_.outgoing(o) / 3))
+        return true;
+    return false;
+  }
+  /** The median side of triangles with a node to reach. */
+  double usualEdge() const
+  {
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < sides_.size(); ++t)
+      count += hasUnknown(t);
+    const std::size_t stride = count / edges_looked_at + 1;
+    std::vector<float> edges;
+    std::size_t at = 0;
+    for (std::size_t t = 0; t < sides_.size(); ++t)
+      if (hasUnknown(t) && at++ % stride == 0)
+        edges.push_back(sides_[t][0]);
+    if (edges.empty())
+      return 1.0;
+    const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+    std::nth_element(edges.begin(), middle, edges.end());
+    return *middle;
+  }
+  void wait(std::uint32_t v)
+  {
+    waiting_[v] = 1;
+    queue_.push(v, distance_[v] - least_);
+  }
+  /** Settle the nodes of the round that still wait; forget the rest. */
+  void settle()
+  {
+    std::size_t kept = 0;
+    for (const std::uint32_t v : round_)
+      if (waiting_[v]) {
+        waiting_[v] = 0;
+        ++visits_[v];
+        round_[kept++] = v;
+      }
+    round_.resize(kept);
+  }
+  void visit(std::uint32_t i, std::vector<Way>& ways) const
+  {
+    const double d = distance_[i];
+    for (std::size_t o = mesh_.outgoingBegin(i); o < mesh_.outgoingBegin(i + 1); ++o) {
+      const std::uint32_t h = mesh_.outgoing(o);
+      const std::size_t t = h / 3, ci = h % 3;
+      for (std::size_t step = 1; step < 3; ++step) {
+        const std::size_t cj = (ci + step) % 3, cq = 3 - ci - cj;
+        const std::uint32_t j = mesh_.triangle(t)[cj], q = mesh_.triangle(t)[cq];
+        const double ij = sides_[t][cq], qj = sides_[t][ci], iq = sides_[t][cj];
+        const double dq = distance_[q], enough = distance_[j] - worthAgain(visits_[j]);
+        if (!(std::min(d, dq) < enough))
+          continue;
+        const double reached = std::isfinite(dq) ? acrossTriangle(d, dq, ij, qj, iq) : d + ij;
+        if (reached < enough)
+          ways.push_back({reached, {i, reached < d + ij ? q : i}, j});
+      }
+    }
+  }
+
+  const Triangulation& mesh_;
+  std::vector<double>& distance_;
+  std::vector<MarchedDistances::Side>& over_;
+  std::vector<Sides> sides_;
+  std::vector<std::uint8_t> visits_, waiting_;
+  double least_ = 0.0;
+  std::size_t unknown_ = 0;
+  BucketQueue queue_;
+  std::vector<std::uint32_t> round_;
+  std::vector<std::vector<Way>> ways_; ///< found by each piece of the round
+};
+
 } // namespace
+
+void
+MarchedDistances::resize(std::size_t nodes)
+{
+  distance.resize(nodes, infinite);
+  over.resize(nodes, nowhere);
+}
 
 std::array<double, 3>
 stepOverSides(const StepOverMesh& mesh, std::size_t triangle)
@@ -72,45 +222,50 @@ stepOverSides(const StepOverMesh& mesh, std::size_t triangle)
 }
 
 std::vector<double>
-distancesFromRims(const StepOverMesh& mesh, const std::vector<double>& starts, const std::function<bool(double)>& progress)
+distancesFromRims(const StepOverMesh& mesh, const std::vector<double>& starts)
 {
-  using Entry = std::pair<double, std::uint32_t>;
-  const std::vector<Sides> sides = allSides(mesh);
-  const Triangulation& mesh_t = mesh.triangles;
-  std::vector<double> distance(mesh.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::uint8_t> visits(mesh.size(), 0);
-  std::size_t reached_nodes = 0, all_visits = 0;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+  MarchedDistances marched;
+  marched.resize(mesh.size());
   for (std::size_t r = 0; r < mesh.rims.size(); ++r)
-    for (const std::uint32_t v : mesh.rims[r]) {
-      distance[v] = starts.empty() ? 0.0 : starts[r];
-      if (std::isfinite(distance[v]))
-        front.push({distance[v], v});
-    }
-  while (!front.empty()) {
-    const auto [d, i] = front.top();
-    front.pop();
-    if (d > distance[i])
-      continue;
-    reached_nodes += visits[i]++ == 0;
-    if (++all_visits % visits_a_report == 0 && progress && !progress(static_cast<double>(reached_nodes) / static_cast<double>(mesh.size())))
-      return {};
-    for (std::size_t o = mesh_t.outgoingBegin(i); o < mesh_t.outgoingBegin(i + 1); ++o) {
-      const std::uint32_t h = mesh_t.outgoing(o);
-      const std::size_t t = h / 3, ci = h % 3;
-      for (std::size_t step = 1; step < 3; ++step) {
-        const std::size_t cj = (ci + step) % 3, cq = 3 - ci - cj;
-        const std::uint32_t j = mesh_t.triangle(t)[cj], q = mesh_t.triangle(t)[cq];
-        const double ij = sides[t][cq], qj = sides[t][ci], iq = sides[t][cj];
-        const double reached = std::isfinite(distance[q]) ? acrossTriangle(d, distance[q], ij, qj, iq) : d + ij;
-        if (reached < distance[j] - worthAgain(visits[j])) {
-          distance[j] = reached;
-          front.push({reached, j});
-        }
-      }
-    }
+    for (const std::uint32_t v : mesh.rims[r])
+      marched.distance[v] = starts[r];
+  StepOverMarch(mesh, marched).run({});
+  return std::move(marched.distance);
+}
+
+bool
+marchOn(const StepOverMesh& mesh, MarchedDistances& marched, const std::function<bool(double)>& progress)
+{
+  marched.resize(mesh.size());
+  for (const std::vector<std::uint32_t>& rim : mesh.rims)
+    for (const std::uint32_t v : rim)
+      marched.distance[v] = 0.0;
+  return StepOverMarch(mesh, marched).run(progress);
+}
+
+void
+forgetBehind(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen, MarchedDistances& marched)
+{
+  std::vector<std::uint32_t> todo;
+  const auto forget = [&](std::uint32_t v) {
+    if (marched.over[v] == nowhere)
+      return;
+    marched.distance[v] = infinite;
+    marched.over[v] = nowhere;
+    todo.push_back(v);
+  };
+  for (std::size_t t = 0; t < chosen.size(); ++t)
+    if (chosen[t])
+      for (const std::uint32_t v : mesh.triangles.triangle(t))
+        forget(v);
+  while (!todo.empty()) {
+    const std::uint32_t v = todo.back();
+    todo.pop_back();
+    for (std::size_t o = mesh.triangles.outgoingBegin(v); o < mesh.triangles.outgoingBegin(v + 1); ++o)
+      for (const std::uint32_t w : mesh.triangles.triangle(mesh.triangles.outgoing(o) / 3))
+        if (marched.over[w][0] == v || marched.over[w][1] == v)
+          forget(w);
   }
-  return distance;
 }
 
 std::vector<float>

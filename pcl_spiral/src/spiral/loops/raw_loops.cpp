@@ -54,6 +54,7 @@ rawLoop(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& 
     loop.line.metric.push_back(between(mesh.metric[c.below], mesh.metric[c.above], share));
     loop.uphill.push_back(mesh.positions[c.above] - mesh.positions[c.below]);
     loop.is_fine.push_back(field.is_fine[c.below] && field.is_fine[c.above]);
+    loop.is_cut.push_back(field.is_cut[c.below] && field.is_cut[c.above]);
     loop.is_near.push_back(band.isNear(c.below) || band.isNear(c.above));
     const std::uint32_t summit = climb.summit(c.above);
     loop.is_thin = loop.is_thin && field.distance[summit] < level + finger_radius;
@@ -99,9 +100,10 @@ FinishedLoop
 finishedLoop(const StepOverDistance& field, const RawLoop& loop)
 {
   LineGrain grain;
-  for (const std::uint8_t fine : loop.is_fine) {
-    grain.steps.push_back(fine ? fine_step : std::max(fine_step, coarse_step * field.usual_edge));
-    grain.widths.push_back(fine ? fine_width : std::max(fine_width, coarse_width * field.usual_edge));
+  for (std::size_t i = 0; i < loop.is_fine.size(); ++i) {
+    const double edge = loop.is_fine[i] ? 0.0 : loop.is_cut[i] ? field.cut_edge : field.usual_edge;
+    grain.steps.push_back(std::max(fine_step, coarse_step * edge));
+    grain.widths.push_back(std::max(fine_width, coarse_width * edge));
   }
   std::vector<std::size_t> from;
   const ScallopLoop line = smoothed(loop.line, grain, from);
