@@ -201,6 +201,56 @@ TEST(BallReach, LiesBesideASphereOnAPlane)
   EXPECT_LT(deepest(part, reach), reach.tolerance() + 0.01);
 }
 
+/** A roof with planes that fall by \p slope, degrees, on either side of x = 0, scanned at random places of a lattice. */
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+roof(double slope, double spacing, double noise)
+{
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> shift(-0.3 * spacing, 0.3 * spacing);
+  std::normal_distribution<double> error(0.0, 1.0);
+  for (double u = -15.0; u < 15.0; u += spacing)
+    for (double v = -15.0; v < 15.0; v += spacing) {
+      const double x = (u + shift(random)) * std::cos(slope * M_PI / 180.0), y = v + shift(random);
+      cloud->push_back(pcl::PointXYZ(static_cast<float>(x), static_cast<float>(y),
+                                     static_cast<float>(noise * error(random) - std::abs(x) * std::tan(slope * M_PI / 180.0))));
+    }
+  return cloud;
+}
+
+TEST(BallReach, LooksCloselyWhereverTheBallDoesNotReachAll)
+{
+  for (const double spacing : {0.3, 0.6})
+    for (const double slope : {0.3, 0.7, 1.2})
+      for (const double share : {0.9, 0.97, 1.3}) { // fillet over ball
+        const double ball = 4.0, fillet = share * ball;
+        const auto surface = surfaceOf(valley(slope, fillet, 14.0, 6.0).scan(spacing, 0.0, 3));
+        const BallReach reach = reachOf(*surface, ball);
+        EXPECT_EQ(reach.unreached().empty(), share > 1.0) << slope << " " << share << " " << spacing;
+      }
+}
+
+/** The points cut off are the same whether all points are fitted, as with an obstacle, or only those that may be. */
+TEST(BallReach, CountsAllPointsCutOffAtTheEdgeOfARoof)
+{
+  std::size_t most = 0;
+  for (const double slope : {4.0, 6.0, 8.0, 12.0, 20.0, 30.0})
+    for (const double noise : {0.0, 0.002, 0.01}) {
+      const auto surface = surfaceOf(roof(slope, 0.5, noise));
+      const double ball = 0.6, tolerance = reachTolerance(surface->fit(), 0.0005);
+      const MissedPoints quick = BallReach(surface->graph(), surface->fit(), ball, tolerance).missed();
+      const BallObstacles far{{Eigen::Vector3f(0.0f, 0.0f, 100.0f)}, 0.1};
+      const MissedPoints all = BallReach(surface->graph(), surface->fit(), ball, tolerance, far).missed();
+      std::printf("  slope %g, noise %g: %zu of %zu, highest %.4f, least %.4f\n", slope, noise, quick.count, all.count, all.height,
+                  all.least);
+      EXPECT_EQ(quick.count, all.count);
+      EXPECT_NEAR(quick.height, all.height, 1e-6);
+      EXPECT_EQ(quick.place, all.place);
+      most = std::max(most, all.count);
+    }
+  EXPECT_GT(most, 30u);
+}
+
 TEST(BallReach, IsTheSameForAnyNumberOfThreads)
 {
   const TightPart part = valley(0.7, 3.0, 15.0, 8.0);

@@ -20,9 +20,9 @@ BallReach::setObstacles(const BallObstacles& obstacles)
   const double post_step = std::sqrt(8.0 * radius_ * sunk * clearance_); // chord of that sagitta
   std::vector<Eigen::Vector3f> points;
   for (const Eigen::Vector3f& top : obstacles.points) {
-    const std::size_t below = feet_.nearest(top.cast<double>());
-    const Eigen::Vector3f normal = patches_[below].normal;
-    const Eigen::Vector3f down = -std::max(0.0f, normal.dot(top - feet_.point(below))) * normal;
+    const std::size_t below = patches().feet.nearest(top.cast<double>());
+    const Eigen::Vector3f normal = patches().patches[below].normal;
+    const Eigen::Vector3f down = -std::max(0.0f, normal.dot(top - patches().feet.point(below))) * normal;
     const int steps = std::max(1, static_cast<int>(std::ceil(down.norm() / post_step)));
     for (int k = 0; k < steps; ++k)
       points.push_back(top + static_cast<float>(k) / static_cast<float>(steps) * down);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/impl/ball_reach.h>
 
+#include "empty_spheres.h"
 #include "graph/covering_radius.h"
+#include "missed_points.h"
 
 #include <algorithm>
 #include <array>
@@ -10,18 +12,16 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double patch_spacings = 0.75;   // half the width of a patch: neighbouring patches overlap
-constexpr double own_spacings = 2.5;      // radius about a foot within which fits of neighbouring points share most of their points
-constexpr double deviations = 3.0;        // of the fit: depths below that are not known
-constexpr double own_deviations = 6.0;    // about a foot, where neighbouring patches differ by the noise of both
-constexpr double own_steps = 0.1;         // spacings: steps between them without noise, at the ends of fillets
-constexpr double missed_deviations = 6.0; // of the points about the fit, by their median: a point that is farther above it is missed
-constexpr double missed_spacings = 0.1;   // the least such height
-constexpr double widest_void = 6.0;       // spacings: twice the largest circle without points that is surface, alpha 3
-constexpr int widest_search = 4;          // of the fit in a void, as for the path there
-constexpr int most_shrinks = 40;          // of the ball at one foot; a few are usual
-constexpr double settled = 1e-4;          // of the radius: the ball shrinks no more
-constexpr std::size_t chunk = 1u << 16;   // points fitted together
+constexpr double patch_spacings = 0.75; // half the width of a patch: neighbouring patches overlap
+constexpr double own_spacings = 2.5;    // radius about a foot within which fits of neighbouring points share most of their points
+constexpr double deviations = 3.0;      // of the fit: depths below that are not known
+constexpr double own_deviations = 6.0;  // about a foot, where neighbouring patches differ by the noise of both
+constexpr double own_steps = 0.1;       // spacings: steps between them without noise, at the ends of fillets
+constexpr double widest_void = 6.0;     // spacings: twice the largest circle without points that is surface, alpha 3
+constexpr int widest_search = 4;        // of the fit in a void, as for the path there
+constexpr int most_shrinks = 40;        // of the ball at one foot; a few are usual
+constexpr double settled = 1e-4;        // of the radius: the ball shrinks no more
+constexpr std::size_t chunk = 1u << 16; // points fitted together
 
 /** Area about each point: a third of its triangles; without triangles the square of its spacing. */
 std::vector<float>
@@ -58,30 +58,54 @@ reachTolerance(const MlsSurface& fit, double least)
 
 BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles,
                      const std::vector<SurfacePatch>& beyond)
-: radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)), own_(own_spacings * graph.spacing()),
+: graph_(graph), fit_(fit), radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)), own_(own_spacings * graph.spacing()),
   own_tolerance_(std::max(own_deviations / deviations * tolerance_, own_steps * graph.spacing())), side_(graph.meanNormal())
 {
-  fitPatches(graph, fit, beyond);
+  if (obstacles.points.empty() && beyond.empty() && spheresAreEmpty(graph, radius_, own_, 0.5 * tolerance_)) {
+    missed_ = missedPoints(graph, fit);
+    return;
+  }
+  std::call_once(are_fitted_, [&] {
+    std::vector<float> heights;
+    patches_ = fitPatches(beyond, heights);
+    missed_ = missedPoints(graph, heights);
+  });
+  if (!beyond.empty()) {
+    std::vector<Eigen::Vector3f> feet;
+    for (const SurfacePatch& patch : beyond)
+      feet.push_back(patch.foot.position.cast<float>());
+    beyond_ = PointBlocks(std::move(feet));
+  }
   setObstacles(obstacles);
-  findUnreached(graph);
+  findUnreached();
   if (!unreached_.empty()) {
-    coverVoids(graph, fit);
+    coverVoids();
     averageNormals();
   }
 }
 
-void
-BallReach::coverVoids(const SurfaceGraph& graph, const MlsSurface& fit)
+const BallReach::Patches&
+BallReach::patches() const
 {
-  const Triangulation& triangles = graph.triangulation();
+  std::call_once(are_fitted_, [this] {
+    std::vector<float> heights;
+    patches_ = fitPatches({}, heights);
+  });
+  return patches_;
+}
+
+void
+BallReach::coverVoids()
+{
+  const Triangulation& triangles = graph_.triangulation();
   const double sunk = std::sqrt(2.0 * radius_ * tolerance_); // chord from the middle at which a ball sinks by the tolerance
-  const double near = 2.0 * radius_ + widest_void * graph.spacing();
+  const double near = 2.0 * radius_ + widest_void * graph_.spacing();
   std::vector<Eigen::Vector3d> queries;
   std::vector<double> extents;
   for (std::size_t t = 0; t < triangles.triangleCount(); ++t) {
     const auto& [a, b, c] = triangles.triangle(t);
-    const Eigen::Vector3d pa = graph.position(a), pb = graph.position(b), pc = graph.position(c);
-    const double extent = patch_spacings * (graph.spacing(a) + graph.spacing(b) + graph.spacing(c)) / 3.0;
+    const Eigen::Vector3d pa = graph_.position(a), pb = graph_.position(b), pc = graph_.position(c);
+    const double extent = patch_spacings * (graph_.spacing(a) + graph_.spacing(b) + graph_.spacing(c)) / 3.0;
     if (coveringRadiusOf(pa, pb, pc) <= extent + sunk || !isNearUnreached((pa + pb + pc) / 3.0, near))
       continue;
     // Cut into triangles with sides of at most two extents: the patches at the middles of those that stand as the whole one cover all.
@@ -96,59 +120,34 @@ BallReach::coverVoids(const SurfaceGraph& graph, const MlsSurface& fit)
   if (queries.empty())
     return;
   std::vector<SurfaceFoot> feet;
-  fit.project(queries, feet, widest_search);
-  std::vector<Eigen::Vector3f> positions(feet_.size());
-  std::vector<Patch> fitted(feet_.size());
-  for (std::size_t k = 0; k < feet_.size(); ++k) {
-    positions[feet_.originalIndex(k)] = feet_.point(k);
-    fitted[feet_.originalIndex(k)] = patches_[k];
+  fit_.project(queries, feet, widest_search);
+  const Patches& before = patches_;
+  std::vector<Eigen::Vector3f> positions(before.feet.size());
+  std::vector<Patch> fitted(before.feet.size());
+  for (std::size_t k = 0; k < before.feet.size(); ++k) {
+    positions[before.feet.originalIndex(k)] = before.feet.point(k);
+    fitted[before.feet.originalIndex(k)] = before.patches[k];
   }
   for (std::size_t k = 0; k < feet.size(); ++k)
     if (feet[k].valid) {
       positions.push_back(feet[k].position.cast<float>());
       fitted.push_back(patchOf(feet[k], extents[k]));
     }
-  keep(PointBlocks(std::move(positions)), fitted, graph.size());
+  patches_.keep(PointBlocks(std::move(positions)), fitted, graph_.size());
 }
 
 void
-BallReach::keep(PointBlocks feet, const std::vector<Patch>& fitted, std::size_t points)
+BallReach::Patches::keep(PointBlocks places, const std::vector<Patch>& fitted, std::size_t points)
 {
-  feet_ = std::move(feet);
-  patches_.resize(fitted.size());
-  place_.resize(fitted.size());
+  feet = std::move(places);
+  patches.resize(fitted.size());
+  place.resize(fitted.size());
   for (std::size_t i = 0; i < fitted.size(); ++i) {
-    patches_[i] = fitted[feet_.originalIndex(i)];
-    place_[feet_.originalIndex(i)] = static_cast<std::uint32_t>(i);
-    widest_ = std::max(widest_, patches_[i].extent);
+    patches[i] = fitted[feet.originalIndex(i)];
+    place[feet.originalIndex(i)] = static_cast<std::uint32_t>(i);
+    widest = std::max(widest, patches[i].extent);
   }
-  place_.resize(points);
-}
-
-void
-BallReach::findMissed(const SurfaceGraph& graph, const std::vector<float>& heights)
-{
-  constexpr double deviation_of_median = 1.4826; // of a normal distribution
-  std::vector<float> sizes(heights.size());
-  std::transform(heights.begin(), heights.end(), sizes.begin(), [](float height) { return std::abs(height); });
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  const double deviation = deviation_of_median * static_cast<double>(*middle);
-  missed_.least = std::max(missed_spacings * graph.spacing(), missed_deviations * deviation);
-  for (std::size_t i = 0; i < heights.size(); ++i)
-    countIfMissed(heights[i], graph.position(i));
-}
-
-void
-BallReach::countIfMissed(double height, const Eigen::Vector3d& place)
-{
-  if (!(height > missed_.least))
-    return;
-  ++missed_.count;
-  if (height > missed_.height) {
-    missed_.height = height;
-    missed_.place = place;
-  }
+  place.resize(points);
 }
 
 void
@@ -161,7 +160,7 @@ BallReach::addMissed(const MlsSurface& fit, const std::vector<Eigen::Vector3f>& 
   fit.project(queries, feet);
   for (std::size_t i = 0; i < feet.size(); ++i)
     if (const double height = feet[i].normal.dot(queries[i] - feet[i].position); feet[i].valid && height <= most)
-      countIfMissed(height, queries[i]);
+      countIfMissed(height, queries[i], missed_);
 }
 
 BallReach::Patch
@@ -176,50 +175,47 @@ BallReach::patchOf(const SurfaceFoot& foot, double extent)
   return patch;
 }
 
-void
-BallReach::fitPatches(const SurfaceGraph& graph, const MlsSurface& fit, const std::vector<SurfacePatch>& beyond)
+BallReach::Patches
+BallReach::fitPatches(const std::vector<SurfacePatch>& beyond, std::vector<float>& heights) const
 {
-  const std::size_t size = graph.size();
+  const std::size_t size = graph_.size();
   std::vector<Eigen::Vector3f> positions(size);
-  std::vector<float> heights(size); // of the points over their feet
+  heights.resize(size); // of the points over their feet
   std::vector<Patch> fitted(size);
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
   for (std::size_t begin = 0; begin < size; begin += chunk) {
     queries.clear();
     for (std::size_t i = begin; i < std::min(size, begin + chunk); ++i)
-      queries.push_back(graph.position(i));
-    fit.project(queries, feet);
+      queries.push_back(graph_.position(i));
+    fit_.project(queries, feet);
     for (std::size_t k = 0; k < feet.size(); ++k) {
       const std::size_t i = begin + k;
       const SurfaceFoot& foot = feet[k];
-      const double extent = patch_spacings * graph.spacing(i);
+      const double extent = patch_spacings * graph_.spacing(i);
       positions[i] = (foot.valid ? foot.position : queries[k]).cast<float>();
       heights[i] = foot.valid ? static_cast<float>(foot.normal.dot(queries[k] - foot.position)) : 0.0f;
       SurfaceFoot flat;
-      flat.normal = graph.normal(i);
+      flat.normal = graph_.normal(i);
       flat.direction1 = flat.normal.unitOrthogonal();
       fitted[i] = patchOf(foot.valid ? foot : flat, extent);
     }
   }
-  findMissed(graph, heights);
-  std::vector<Eigen::Vector3f> outside;
   for (const SurfacePatch& patch : beyond) {
-    outside.push_back(patch.foot.position.cast<float>());
+    positions.push_back(patch.foot.position.cast<float>());
     fitted.push_back(patchOf(patch.foot, patch.extent));
   }
-  positions.insert(positions.end(), outside.begin(), outside.end());
-  if (!outside.empty())
-    beyond_ = PointBlocks(std::move(outside));
-  keep(positions.size() == size ? PointBlocks::inOrder(std::move(positions)) : PointBlocks(std::move(positions)), fitted, size);
+  Patches patches;
+  patches.keep(beyond.empty() ? PointBlocks::inOrder(std::move(positions)) : PointBlocks(std::move(positions)), fitted, size);
+  return patches;
 }
 
 void
-BallReach::findUnreached(const SurfaceGraph& graph)
+BallReach::findUnreached()
 {
-  const auto size = static_cast<std::int64_t>(place_.size());
-  std::vector<float> reaches(place_.size());
-  std::vector<std::uint8_t> covered(place_.size());
+  const auto size = static_cast<std::int64_t>(graph_.size());
+  std::vector<float> reaches(graph_.size());
+  std::vector<std::uint8_t> covered(graph_.size());
 #pragma omp parallel for schedule(dynamic, 1024)
   for (std::int64_t i = 0; i < size; ++i) {
     reaches[i] = static_cast<float>(reach(position(i), normal(i)));
@@ -231,9 +227,9 @@ BallReach::findUnreached(const SurfaceGraph& graph)
   for (std::size_t i = 0; i < reaches.size(); ++i)
     if (reaches[i] < whole || covered[i] != 0) {
       if (areas.empty())
-        areas = pointAreas(graph);
+        areas = pointAreas(graph_);
       unreached_.push_back({static_cast<std::uint32_t>(i), reaches[i], areas[i], covered[i] != 0});
-      places.push_back(feet_.point(place_[i]));
+      places.push_back(patches().feet.point(patches().place[i]));
     }
   unreached_feet_ = PointBlocks(std::move(places));
 }
@@ -257,11 +253,10 @@ BallReach::isNearObstacle(const Eigen::Vector3d& place, double distance) const
 }
 
 Eigen::Vector3d
-BallReach::nearestOn(std::size_t place, const Eigen::Vector3d& from) const
+BallReach::nearestOn(const Patch& patch, const Eigen::Vector3d& foot, const Eigen::Vector3d& from)
 {
-  const Patch& patch = patches_[place];
   const Eigen::Vector3d n = patch.normal.cast<double>(), d1 = patch.direction1.cast<double>(), d2 = n.cross(d1);
-  const Eigen::Vector3d foot = feet_.position(place), away = from - foot;
+  const Eigen::Vector3d away = from - foot;
   const double height = away.dot(n);
   const auto along = [&](double aside, double curvature) {
     const double widening = 1.0 + height * curvature; // from the patch to the parallel surface through the point
@@ -278,29 +273,30 @@ BallReach::nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::V
 {
   if (!(within > 0.0))
     return false;
+  const Patches& all = patches();
   const Eigen::Vector3f query = from.cast<float>();
   double best = within;
   bool found = false;
   const auto reachOfPoints = [&] { // a patch is nearer than its point by this at most
-    const double sideways = 1.5 * widest_;
+    const double sideways = 1.5 * all.widest;
     return best + std::min(sideways, sideways * sideways / (2.0 * best));
   };
   double far = reachOfPoints();
-  feet_.forBlocks([&](const Box& box) { return box.squaredDistance(query.data()) <= static_cast<float>(far * far); },
-                  [&](std::size_t block) {
-                    for (std::size_t i = feet_.blockBegin(block); i < feet_.blockEnd(block); ++i) {
-                      if ((feet_.point(i) - query).squaredNorm() > static_cast<float>(far * far))
-                        continue;
-                      const Eigen::Vector3d on = nearestOn(i, from);
-                      const double distance = (on - from).norm();
-                      if (distance >= best || (own && distance >= own_within && (on - *own).squaredNorm() < own_ * own_))
-                        continue;
-                      best = distance;
-                      far = reachOfPoints();
-                      point = on;
-                      found = true;
-                    }
-                  });
+  all.feet.forBlocks([&](const Box& box) { return box.squaredDistance(query.data()) <= static_cast<float>(far * far); },
+                     [&](std::size_t block) {
+                       for (std::size_t i = all.feet.blockBegin(block); i < all.feet.blockEnd(block); ++i) {
+                         if ((all.feet.point(i) - query).squaredNorm() > static_cast<float>(far * far))
+                           continue;
+                         const Eigen::Vector3d on = nearestOn(all.patches[i], all.feet.position(i), from);
+                         const double distance = (on - from).norm();
+                         if (distance >= best || (own && distance >= own_within && (on - *own).squaredNorm() < own_ * own_))
+                           continue;
+                         best = distance;
+                         far = reachOfPoints();
+                         point = on;
+                         found = true;
+                       }
+                     });
   return found;
 }
 

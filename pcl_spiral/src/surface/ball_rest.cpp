@@ -52,10 +52,11 @@ nearestIn(const std::vector<HalfSpace>& spaces, const Eigen::Vector3d& target, d
 void
 BallReach::averageNormals()
 {
-  block_normals_.assign(feet_.blockCount(), Eigen::Vector3f::Zero());
+  const PointBlocks& feet = patches().feet;
+  block_normals_.assign(feet.blockCount(), Eigen::Vector3f::Zero());
   for (std::size_t block = 0; block < block_normals_.size(); ++block)
-    for (std::size_t i = feet_.blockBegin(block); i < feet_.blockEnd(block); ++i)
-      block_normals_[block] += patches_[i].normal / static_cast<float>(feet_.blockEnd(block) - feet_.blockBegin(block));
+    for (std::size_t i = feet.blockBegin(block); i < feet.blockEnd(block); ++i)
+      block_normals_[block] += patches().patches[i].normal / static_cast<float>(feet.blockEnd(block) - feet.blockBegin(block));
 }
 
 double
@@ -79,15 +80,15 @@ BallReach::wayOut(const Eigen::Vector3d& from, double within) const
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double whole = 0.0;
   const auto near = static_cast<float>(within * within);
-  feet_.forBlocks([&](const Box& box) { return box.squaredDistance(query.data()) <= near; },
-                  [&](std::size_t block) {
-                    const Box& box = feet_.blockBox(block);
-                    const Eigen::Vector3d middle =
-                        0.5 * (Eigen::Vector3f(box.low.data()) + Eigen::Vector3f(box.high.data())).cast<double>();
-                    const double inside = std::max(0.0, 1.0 - (middle - from).squaredNorm() / (within * within));
-                    sum += inside * inside * block_normals_[block].cast<double>();
-                    whole += inside * inside;
-                  });
+  const PointBlocks& feet = patches().feet;
+  feet.forBlocks([&](const Box& box) { return box.squaredDistance(query.data()) <= near; },
+                 [&](std::size_t block) {
+                   const Box& box = feet.blockBox(block);
+                   const Eigen::Vector3d middle = 0.5 * (Eigen::Vector3f(box.low.data()) + Eigen::Vector3f(box.high.data())).cast<double>();
+                   const double inside = std::max(0.0, 1.0 - (middle - from).squaredNorm() / (within * within));
+                   sum += inside * inside * block_normals_[block].cast<double>();
+                   whole += inside * inside;
+                 });
   const Eigen::Vector3d mean = whole > 0.0 ? Eigen::Vector3d(sum / whole) : sum;
   const Eigen::Vector3d out = mean + std::max(0.0, clear_side - mean.norm()) * side_;
   return out.norm() > 0.0 ? out.normalized() : out;
@@ -161,8 +162,9 @@ BallReach::isFreeAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direc
 bool
 BallReach::isOutside(const Eigen::Vector3d& centre) const
 {
-  const std::size_t place = feet_.nearest(centre);
-  return (centre - feet_.position(place)).dot(patches_[place].normal.cast<double>()) > 0.0;
+  const PointBlocks& feet = patches().feet;
+  const std::size_t place = feet.nearest(centre);
+  return (centre - feet.position(place)).dot(patches().patches[place].normal.cast<double>()) > 0.0;
 }
 
 Eigen::Vector3d

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/graph/impl/surface_graph.h>
+#include <pcl_spiral/surface/impl/missed_points.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 #include <pcl_spiral/surface/impl/surface_beyond.h>
 
@@ -12,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <vector>
 
 namespace pcl_spiral {
@@ -22,14 +24,6 @@ struct UnreachedPoint {
   float reach = 0.0f;      ///< radius of the largest ball that reaches it
   float area = 0.0f;       ///< of the surface about it, mm^2
   bool covered = false;    ///< an obstacle is in the way of the ball
-};
-
-/** Points of a scan that stand out of the fitted surface by far more than the noise: an edge, a ridge or a step with too few points. */
-struct MissedPoints {
-  double least = 0.0; ///< height from which a point counts, mm
-  std::size_t count = 0;
-  double height = 0.0;                             ///< of the highest, mm
-  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of that point
 };
 
 /** Points over a surface that a ball must not touch, nor pass under. Lengths in mm. */
@@ -46,8 +40,9 @@ struct BallObstacles {
  *  obstacles the ball is lifted along the normal of its foot, as when a cutter is dropped onto points (drop cutter). Where the surface
  *  continues beyond the graph, its patches hold the ball as those of the graph do.
  *
- *  Every point is looked at once: near-linear, in parallel, the same for any number of threads. Memory: about 70 bytes per point, and per
- *  patch in a void between points, where the ball does not reach all of them. */
+ *  Where it is clear from the points alone that the ball reaches all of them, patches are fitted only when one is asked for. Every point
+ *  is looked at once: near-linear, in parallel, the same for any number of threads. Memory: about 70 bytes per point, and per patch in a
+ *  void between points, where the ball does not reach all of them. */
 class BallReach {
 public:
   /** \p graph and \p fit must outlive it. \p tolerance, mm: depth that counts as noise of the surface. \p beyond: the surface beside that
@@ -58,7 +53,7 @@ public:
   double radius() const { return radius_; }       ///< Of the ball, mm.
   double tolerance() const { return tolerance_; } ///< As given, mm.
 
-  std::size_t size() const { return place_.size(); } ///< Points of the graph.
+  std::size_t size() const { return graph_.size(); } ///< Points of the graph.
   /** Points that the ball does not reach, in the order of the graph. */
   const std::vector<UnreachedPoint>& unreached() const { return unreached_; }
   /** Points that the fit cuts off. */
@@ -66,8 +61,8 @@ public:
   /** Adds to missed() those of \p outliers, left out of the fit, that stand at most \p most, mm, out of it: higher ones are no edge. */
   void addMissed(const MlsSurface& fit, const std::vector<Eigen::Vector3f>& outliers, double most);
   /** Foot and normal of point \p i of the graph. */
-  Eigen::Vector3d position(std::size_t i) const { return feet_.position(place_[i]); }
-  Eigen::Vector3d normal(std::size_t i) const { return patches_[place_[i]].normal.cast<double>(); }
+  Eigen::Vector3d position(std::size_t i) const { return patches().feet.position(patches().place[i]); }
+  Eigen::Vector3d normal(std::size_t i) const { return patches().patches[patches().place[i]].normal.cast<double>(); }
   /** True if a point that the ball does not reach lies within \p distance of \p place. */
   bool isNearUnreached(const Eigen::Vector3d& place, double distance) const;
   /** True if an obstacle, or its post, lies within \p distance of \p place. */
@@ -105,17 +100,25 @@ private:
     float extent = 0.0f; ///< mm
   };
 
-  void fitPatches(const SurfaceGraph& graph, const MlsSurface& fit, const std::vector<SurfacePatch>& beyond);
+  /** The patches, in the order of their feet. */
+  struct Patches {
+    PointBlocks feet;
+    std::vector<Patch> patches;
+    std::vector<std::uint32_t> place; ///< in feet, of each point of the graph
+    float widest = 0.0f;              ///< extent of a patch, mm
+
+    /** Takes the patches at \p places; \p fitted are in the order that these were made from, the first \p points those of the graph. */
+    void keep(PointBlocks places, const std::vector<Patch>& fitted, std::size_t points);
+  };
+
+  const Patches& patches() const;
+  Patches fitPatches(const std::vector<SurfacePatch>& beyond, std::vector<float>& heights) const;
   static Patch patchOf(const SurfaceFoot& foot, double extent);
-  void findMissed(const SurfaceGraph& graph, const std::vector<float>& heights);
-  void countIfMissed(double height, const Eigen::Vector3d& place);
-  void findUnreached(const SurfaceGraph& graph);
+  void findUnreached();
   void averageNormals();
   /** Adds patches in the voids about unreached points in which a ball would sink by more than the tolerance between the patches. */
-  void coverVoids(const SurfaceGraph& graph, const MlsSurface& fit);
-  /** Takes the patches at \p feet; \p fitted are in the order that these were made from, the first \p points those of the graph. */
-  void keep(PointBlocks feet, const std::vector<Patch>& fitted, std::size_t points);
-  Eigen::Vector3d nearestOn(std::size_t place, const Eigen::Vector3d& from) const;
+  void coverVoids();
+  static Eigen::Vector3d nearestOn(const Patch& patch, const Eigen::Vector3d& foot, const Eigen::Vector3d& from);
   /** The point of the surface nearest to \p from, if it is nearer than \p within. Near \p own, the steps between neighbouring patches
    *  would count as hollows: there only points nearer than \p own_within count. */
   bool nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::Vector3d& point, const Eigen::Vector3d* own = nullptr,
@@ -132,20 +135,20 @@ private:
   Eigen::Vector3d slid(Eigen::Vector3d centre, const Eigen::Vector3d& target) const;
   bool isOutside(const Eigen::Vector3d& centre) const;
 
+  const SurfaceGraph& graph_;
+  const MlsSurface& fit_;
   double radius_, tolerance_;
   double own_, own_tolerance_; // mm: radius about a foot, and the depth that counts as noise there
   MissedPoints missed_;
-  PointBlocks feet_;
-  std::vector<Patch> patches_;                 // in the order of feet_
-  std::vector<std::uint32_t> place_;           // in feet_, of each point of the graph
-  std::vector<Eigen::Vector3f> block_normals_; // mean of each block of feet_
+  mutable Patches patches_; // by patches() alone
+  mutable std::once_flag are_fitted_;
+  std::vector<Eigen::Vector3f> block_normals_; // mean of each block of the feet
   std::vector<UnreachedPoint> unreached_;
   PointBlocks unreached_feet_;
   PointBlocks obstacles_;  // with points of their posts
   PointBlocks beyond_;     // feet of the surface beyond the graph
   double clearance_ = 0.0; // mm
   Eigen::Vector3d side_;
-  float widest_ = 0.0f; // extent of a patch
 };
 
 /** The tolerance for a surface: three standard deviations of the fit, below which a scan shows nothing, at least \p least, mm. */

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "missed_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double missed_deviations = 6.0; // of the points about the fit, by their median: a point that is farther above it is missed
+constexpr double missed_spacings = 0.1;   // the least such height
+constexpr std::size_t every = 16;         // points whose heights tell the deviation
+/** Mean height over the arcs from its neighbours, of the least height that counts, at which a point is fitted. At the edge of a roof the
+ *  fit cuts off up to 0.7 spacings times the slope; of six neighbours four lie lower by at least half of that by the arcs. */
+constexpr float worth_a_fit = 0.2f;
+constexpr int least_neighbours = 3;
+constexpr std::size_t chunk = 1u << 16; // points fitted together
+
+double
+leastMissed(const SurfaceGraph& graph, std::vector<float> sample)
+{
+  constexpr double deviation_of_median = 1.4826; // of a normal distribution
+  for (float& height : sample)
+    height = std::abs(height);
+  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+  std::nth_element(sample.begin(), middle, sample.end());
+  return std::max(missed_spacings * graph.spacing(), missed_deviations * deviation_of_median * static_cast<double>(*middle));
+}
+
+/** Heights of \p points of the graph over their feet; 0 without one. */
+std::vector<float>
+heightsOf(const SurfaceGraph& graph, const MlsSurface& fit, const std::vector<std::uint32_t>& points)
+{
+  std::vector<float> heights;
+  std::vector<Eigen::Vector3d> queries;
+  std::vector<SurfaceFoot> feet;
+  for (std::size_t begin = 0; begin < points.size(); begin += chunk) {
+    queries.clear();
+    for (std::size_t k = begin; k < std::min(points.size(), begin + chunk); ++k)
+      queries.push_back(graph.position(points[k]));
+    fit.project(queries, feet);
+    for (std::size_t k = 0; k < feet.size(); ++k)
+      heights.push_back(feet[k].valid ? static_cast<float>(feet[k].normal.dot(queries[k] - feet[k].position)) : 0.0f);
+  }
+  return heights;
+}
+
+/** Whether point \p i stands at least \p height out of the arcs from its neighbours, in the mean, or has too few of them to tell. An arc
+ *  with the normals of its two ends rises from one end to the other by the mean normal along the chord. */
+bool
+standsOut(const SurfaceGraph& graph, std::size_t i, float height)
+{
+  const Triangulation& triangles = graph.triangulation();
+  const PointBlocks& points = graph.blocks();
+  float rise = 0.0f;
+  int neighbours = 0;
+  for (std::size_t o = triangles.outgoingBegin(i); o < triangles.outgoingBegin(i + 1); ++o, ++neighbours) {
+    const std::uint32_t j = triangles.target(triangles.outgoing(o));
+    rise += 0.5f * (graph.normals()[i] + graph.normals()[j]).dot(points.point(i) - points.point(j));
+  }
+  return neighbours < least_neighbours || rise > height * static_cast<float>(neighbours);
+}
+
+} // namespace
+
+void
+countIfMissed(double height, const Eigen::Vector3d& place, MissedPoints& missed)
+{
+  if (!(height > missed.least))
+    return;
+  ++missed.count;
+  if (height > missed.height) {
+    missed.height = height;
+    missed.place = place;
+  }
+}
+
+MissedPoints
+missedPoints(const SurfaceGraph& graph, const std::vector<float>& heights)
+{
+  std::vector<float> sample;
+  for (std::size_t i = 0; i < heights.size(); i += every)
+    sample.push_back(heights[i]);
+  MissedPoints missed;
+  missed.least = leastMissed(graph, std::move(sample));
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    countIfMissed(heights[i], graph.position(i), missed);
+  return missed;
+}
+
+MissedPoints
+missedPoints(const SurfaceGraph& graph, const MlsSurface& fit)
+{
+  std::vector<std::uint32_t> points;
+  for (std::uint32_t i = 0; i < graph.size(); i += every)
+    points.push_back(i);
+  MissedPoints missed;
+  missed.least = leastMissed(graph, heightsOf(graph, fit, points));
+  const auto height = worth_a_fit * static_cast<float>(missed.least);
+  const auto size = static_cast<std::int64_t>(graph.size());
+  std::vector<std::uint8_t> stands_out(graph.size(), 0);
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t i = 0; i < size; ++i)
+    stands_out[i] = standsOut(graph, i, height);
+  points.clear();
+  for (std::uint32_t i = 0; i < graph.size(); ++i)
+    if (stands_out[i])
+      points.push_back(i);
+  const std::vector<float> heights = heightsOf(graph, fit, points);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    countIfMissed(heights[k], graph.position(points[k]), missed);
+  return missed;
+}
+
+} // namespace pcl_spiral
