@@ -66,60 +66,81 @@ struct Spline {
   }
 };
 
-/** The smoothing spline for given weights of the knots: (R + Q^T W^-1 Q) second = Q^T wanted, five diagonals, by L D L^T. */
+/** The smoothing spline for weights of the knots: (R + Q^T W^-1 Q) second = Q^T wanted, five diagonals, by L D L^T. Solved again after
+ *  some weights have changed, it goes only through the rows whose numbers change: the same result as from the start. */
 class SmoothingSpline {
 public:
   SmoothingSpline(const Knots& knots, double length)
-  : knots_(knots), stiffness_(length * length * length * length), n_(knots.at.size()), d_(n_), l1_(n_), l2_(n_)
+  : knots_(knots), stiffness_(length * length * length * length), n_(knots.at.size()), d_(n_), l1_(n_), l2_(n_),
+    ahead_(n_, Vector3d::Zero())
   {}
 
-  void solve(const std::vector<double>& weights, Spline& spline)
+  /** \p changed: one entry a knot, 1 where the weight is new; after it, 1 where the value of \p spline is. */
+  void solve(const std::vector<double>& weights, std::vector<std::uint8_t>& changed, Spline& spline)
   {
-    spline.value = knots_.wanted;
-    Vectors& z = spline.second;
-    z.assign(n_, Vector3d::Zero());
-    // Row k belongs to knot k: 1 to n - 2.
-    for (std::size_t k = 1; k + 1 < n_; ++k) {
-      const double a = inverse(k - 1), c = inverse(k), b = -a - c;
-      const double p = penalty(weights[k - 1]), q = penalty(weights[k]), r = penalty(weights[k + 1]);
-      double diagonal = (step(k - 1) + step(k)) / 3.0 + a * a * p + b * b * q + c * c * r;
-      z[k] = a * (knots_.wanted[k - 1] - knots_.wanted[k]) + c * (knots_.wanted[k + 1] - knots_.wanted[k]);
-      if (k > 1) {
-        diagonal -= l1_[k - 1] * l1_[k - 1] * d_[k - 1];
-        z[k] -= l1_[k - 1] * z[k - 1];
+    spline.value.resize(n_);
+    spline.second.resize(n_, Vector3d::Zero());
+    std::vector<std::uint8_t> rows(n_, 0); // 1 where the row's part of L D L^T, or of the right side, is new
+    for (std::size_t k = 1; k + 1 < n_; ++k)
+      if (changed[k - 1] || changed[k] || changed[k + 1] || rows[k - 1] || (k > 1 && rows[k - 2]))
+        rows[k] = eliminate(k, weights);
+    for (std::size_t k = n_ - 1; k-- > 1;)
+      if (rows[k] || rows[k + 1] || (k + 2 < n_ && rows[k + 2])) { // from here on 1 where the second derivative is new
+        const Vector3d before = spline.second[k];
+        spline.second[k] = ahead_[k] / d_[k];
+        if (k + 2 < n_)
+          spline.second[k] -= l1_[k] * spline.second[k + 1];
+        if (k + 3 < n_)
+          spline.second[k] -= l2_[k] * spline.second[k + 2];
+        rows[k] = spline.second[k] != before;
       }
-      if (k > 2) {
-        diagonal -= l2_[k - 2] * l2_[k - 2] * d_[k - 2];
-        z[k] -= l2_[k - 2] * z[k - 2];
-      }
-      d_[k] = diagonal;
-      if (k + 2 >= n_)
-        break;
-      const double next = -c - inverse(k + 1);
-      double beside = step(k) / 6.0 + b * c * q + next * c * r;
-      if (k > 1)
-        beside -= l1_[k - 1] * l2_[k - 1] * d_[k - 1];
-      l1_[k] = beside / diagonal;
-      l2_[k] = k + 3 < n_ ? c * inverse(k + 1) * r / diagonal : 0.0;
-    }
-    for (std::size_t k = n_ - 1; k-- > 1;) {
-      z[k] /= d_[k];
-      if (k + 2 < n_)
-        z[k] -= l1_[k] * z[k + 1];
-      if (k + 3 < n_)
-        z[k] -= l2_[k] * z[k + 2];
-    }
+    const Vectors& z = spline.second;
     for (std::size_t k = 0; k < n_; ++k) {
+      if (!changed[k] && !rows[k] && !(k > 0 && rows[k - 1]) && !(k + 1 < n_ && rows[k + 1]))
+        continue;
       Vector3d bend = Vector3d::Zero();
       if (k > 0)
         bend += (z[k - 1] - z[k]) * inverse(k - 1);
       if (k + 1 < n_)
         bend += (z[k + 1] - z[k]) * inverse(k);
-      spline.value[k] -= penalty(weights[k]) * bend;
+      const Vector3d before = spline.value[k];
+      spline.value[k] = knots_.wanted[k] - penalty(weights[k]) * bend;
+      changed[k] = spline.value[k] != before;
     }
   }
 
 private:
+  /** Row \p k, of knots 1 to n - 2, of the factors and of L^-1 times the right side. True if one of its numbers is new. */
+  bool eliminate(std::size_t k, const std::vector<double>& weights)
+  {
+    const double a = inverse(k - 1), c = inverse(k), b = -a - c;
+    const double p = penalty(weights[k - 1]), q = penalty(weights[k]), r = penalty(weights[k + 1]);
+    double diagonal = (step(k - 1) + step(k)) / 3.0 + a * a * p + b * b * q + c * c * r;
+    Vector3d z = a * (knots_.wanted[k - 1] - knots_.wanted[k]) + c * (knots_.wanted[k + 1] - knots_.wanted[k]);
+    if (k > 1) {
+      diagonal -= l1_[k - 1] * l1_[k - 1] * d_[k - 1];
+      z -= l1_[k - 1] * ahead_[k - 1];
+    }
+    if (k > 2) {
+      diagonal -= l2_[k - 2] * l2_[k - 2] * d_[k - 2];
+      z -= l2_[k - 2] * ahead_[k - 2];
+    }
+    double l1 = 0.0, l2 = 0.0;
+    if (k + 2 < n_) {
+      const double next = -c - inverse(k + 1);
+      double beside = step(k) / 6.0 + b * c * q + next * c * r;
+      if (k > 1)
+        beside -= l1_[k - 1] * l2_[k - 1] * d_[k - 1];
+      l1 = beside / diagonal;
+      l2 = k + 3 < n_ ? c * inverse(k + 1) * r / diagonal : 0.0;
+    }
+    const bool is_new = d_[k] != diagonal || l1_[k] != l1 || l2_[k] != l2 || ahead_[k] != z;
+    d_[k] = diagonal;
+    l1_[k] = l1;
+    l2_[k] = l2;
+    ahead_[k] = z;
+    return is_new;
+  }
   double step(std::size_t k) const { return knots_.at[k + 1] - knots_.at[k]; }
   double inverse(std::size_t k) const { return 1.0 / step(k); }
   double penalty(double weight) const { return stiffness_ / weight; }
@@ -128,44 +149,64 @@ private:
   double stiffness_;
   std::size_t n_;
   std::vector<double> d_, l1_, l2_;
+  Vectors ahead_; ///< L^-1 times the right side
 };
 
-/** Means along a path: a value at distance d has the weight exp(-d / length). */
+/** Means along a path: a value at distance d has the weight exp(-d / length). Like the spline, made anew only where they change. */
 class MeanAlong {
 public:
-  MeanAlong(const Knots& knots, double length) : weight_(knots.weight), fade_(knots.at.size() - 1)
+  MeanAlong(const Knots& knots, double length)
+  : weight_(knots.weight), fade_(knots.at.size() - 1), before_(knots.at.size(), 0.0), after_(knots.at.size(), 0.0)
   {
     const auto steps = static_cast<std::int64_t>(fade_.size());
 #pragma omp parallel for schedule(static)
     for (std::int64_t k = 0; k < steps; ++k)
       fade_[k] = std::exp((knots.at[k] - knots.at[k + 1]) / length);
+    whole_.resize(weight_.size());
+    double w = 0.0;
+    for (std::size_t k = 0; k < weight_.size(); ++k) {
+      whole_[k] = w += weight_[k];
+      w *= k < fade_.size() ? fade_[k] : 0.0;
+    }
+    for (std::size_t k = fade_.size(); k-- > 0;) {
+      w = fade_[k] * (w + weight_[k + 1]);
+      whole_[k] += w;
+    }
   }
 
-  std::vector<double> operator()(const std::vector<double>& values) const
+  /** Into \p mean the means of \p values. \p changed: one entry a knot, 1 where the value is new; after it, 1 where the mean is. */
+  void find(const std::vector<double>& values, std::vector<std::uint8_t>& changed, std::vector<double>& mean)
   {
     const std::size_t n = values.size();
-    std::vector<double> sum(n), whole(n);
-    double s = 0.0, w = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      sum[k] = s += weight_[k] * values[k];
-      whole[k] = w += weight_[k];
-      s *= k + 1 < n ? fade_[k] : 0.0;
-      w *= k + 1 < n ? fade_[k] : 0.0;
-    }
-    for (std::size_t k = n - 1; k-- > 0;) {
-      s = fade_[k] * (s + weight_[k + 1] * values[k + 1]);
-      w = fade_[k] * (w + weight_[k + 1]);
-      sum[k] += s;
-      whole[k] += w;
-    }
+    std::vector<std::uint8_t> sums(n, 0); // 1 where a sum is new
+    const auto put = [](double& old, double now, std::uint8_t& mark) {
+      mark = mark || old != now;
+      old = now;
+    };
+    bool is_new = false;
     for (std::size_t k = 0; k < n; ++k)
-      sum[k] /= whole[k];
-    return sum;
+      if (changed[k] || is_new) {
+        const double sum = weight_[k] * values[k] + (k > 0 ? fade_[k - 1] * before_[k - 1] : 0.0);
+        is_new = before_[k] != sum;
+        put(before_[k], sum, sums[k]);
+      }
+    is_new = false;
+    for (std::size_t k = n - 1; k-- > 0;)
+      if (changed[k + 1] || is_new) {
+        const double sum = fade_[k] * (after_[k + 1] + weight_[k + 1] * values[k + 1]);
+        is_new = after_[k] != sum;
+        put(after_[k], sum, sums[k]);
+      }
+    for (std::size_t k = 0; k < n; ++k)
+      if (sums[k])
+        mean[k] = (before_[k] + after_[k]) / whole_[k];
+    changed = std::move(sums);
   }
 
 private:
   const std::vector<double>& weight_;
-  std::vector<double> fade_;
+  std::vector<double> fade_, whole_;   ///< from a knot to the next; of the weights
+  std::vector<double> before_, after_; ///< sums up to each knot and beyond it
 };
 
 } // namespace
@@ -177,20 +218,24 @@ splineOfAxes(const std::vector<double>& s, const Vectors& wanted, double length,
   if (knots.at.size() < 3)
     return wanted;
   SmoothingSpline smoothing(knots, length);
-  const MeanAlong meanOf(knots, length);
-  std::vector<double> weights = knots.weight, deviations(knots.at.size());
+  MeanAlong along(knots, length);
+  std::vector<double> weights = knots.weight, deviations(knots.at.size()), mean(knots.at.size(), 0.0);
+  std::vector<std::uint8_t> changed(knots.at.size(), 1);
   Spline spline;
   for (int round = 0; round < most_rounds; ++round) {
-    smoothing.solve(weights, spline);
+    smoothing.solve(weights, changed, spline);
     for (std::size_t k = 0; k < deviations.size(); ++k)
-      deviations[k] = (spline.value[k] - knots.wanted[k]).norm();
+      if (changed[k])
+        deviations[k] = (spline.value[k] - knots.wanted[k]).norm();
+    along.find(deviations, changed, mean);
     bool kept = true;
-    const std::vector<double> mean = meanOf(deviations);
+    std::fill(changed.begin(), changed.end(), 0);
     for (std::size_t k = 0; k < mean.size(); ++k)
       if (mean[k] > max_deviation) { // by as much as needed; otherwise the axis would make a step where this begins
         kept = kept && mean[k] < near_enough * max_deviation;
         const double excess = mean[k] / max_deviation;
         weights[k] *= excess * excess;
+        changed[k] = 1;
       }
     if (kept)
       break;
