@@ -251,6 +251,33 @@ TEST(SmoothAxes, ADentOfTheTurnsIsSmoothedAway)
   EXPECT_LT(field.deviating_points, 10u) << "but at the very ends, where a circle runs out straight";
 }
 
+/** Steps of the axes far apart, each above the deviation and so weighted in several rounds, are smoothed as each alone. */
+TEST(SmoothAxes, StepsFarApartDoNotMix)
+{
+  const AxisFieldOptions options{5.0, 3.0 * degree, 0.0};
+  const auto flat = [](double) { return 0.0; };
+  const auto stepsAt = [&](const std::vector<double>& places) {
+    const auto along = [&places](double s) { // the second is smaller: it needs fewer rounds
+      return (s > places[0] ? 0.8 : 0.0) - (places.size() > 1 && s > places[1] ? 0.5 : 0.0);
+    };
+    return straightPath(6000, 0.5, along, flat);
+  };
+  const TestPath both = stepsAt({1000.0, 2000.0}), first = stepsAt({1000.0});
+  const SmoothAxes together = smoothAxes(both.points, both.wanted, options), alone = smoothAxes(first.points, first.wanted, options);
+  EXPECT_GT(together.largest_deviation, options.max_deviation);
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < both.points.size() && both.points[i].x() < 1500.0; ++i, ++compared)
+    ASSERT_LT(angleBetween(together.axes[i], alone.axes[i]), 1e-7) << both.points[i].transpose();
+  EXPECT_GT(compared, 2500u);
+  // From the other end, where the rounds go through other rows first.
+  TestPath back = both;
+  std::reverse(back.wanted.begin(), back.wanted.end());
+  std::reverse(back.points.begin(), back.points.end());
+  const SmoothAxes reversed = smoothAxes(back.points, back.wanted, options);
+  for (std::size_t i = 0; i < both.points.size(); ++i)
+    ASSERT_LT(angleBetween(together.axes[i], reversed.axes[both.points.size() - 1 - i]), 1e-7) << both.points[i].transpose();
+}
+
 TEST(SmoothAxes, PointsAtOnePlaceShareAnAxis)
 {
   TestPath path = straightPath(
