@@ -32,8 +32,7 @@ TEST(LineSmoothing, CirclesKeepTheirRadius)
   for (int i = 0; i < 200; ++i)
     points.emplace_back(4.0 * std::cos(0.01 * M_PI * i), 4.0 * std::sin(0.01 * M_PI * i), 0.0);
   const ScallopLoop loop = loopOf(points);
-  std::vector<std::size_t> from;
-  const ScallopLoop line = smoothed(loop, {std::vector<double>(200, 0.1), std::vector<double>(200, 0.4)}, from);
+  const ScallopLoop line = smoothed(loop, {std::vector<double>(200, 0.1), std::vector<double>(200, 0.4)});
   for (const Vector3d& p : line.points)
     EXPECT_NEAR(p.norm(), 4.0, 0.01);
 }
@@ -48,8 +47,7 @@ TEST(LineSmoothing, PointsInClumpsThrowNoSpikes)
       points.emplace_back(r * std::cos(a), r * std::sin(a), 0.0);
     }
   const ScallopLoop loop = loopOf(points);
-  std::vector<std::size_t> from;
-  const ScallopLoop line = smoothed(loop, {std::vector<double>(points.size(), 0.9), std::vector<double>(points.size(), 1.2)}, from);
+  const ScallopLoop line = smoothed(loop, {std::vector<double>(points.size(), 0.9), std::vector<double>(points.size(), 1.2)});
   for (const Vector3d& p : line.points)
     EXPECT_NEAR(p.norm(), 19.97, 0.12);
 }

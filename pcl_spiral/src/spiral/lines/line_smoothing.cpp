@@ -123,8 +123,9 @@ pointsKept(const ScallopLoop& loop, double tolerance, double longest)
 }
 
 ScallopLoop
-smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& from)
+smoothed(const ScallopLoop& loop, const LineGrain& grain)
 {
+  std::vector<std::size_t> from; // the old point before each new one
   const std::vector<double> places = newPlaces(loop, grain, from);
   ScallopLoop line;
   line.level = loop.level;

@@ -17,9 +17,8 @@ struct LineGrain {
 };
 
 /** \p loop drawn again: each new point is the middle of a parabola in arc length, fitted to the old points about it by least
- *  squares with weights (1 - |t|^3)^3. Circles keep their radius to the fourth order of width / radius. \p from: the
- *  old point before each new one. */
-ScallopLoop smoothed(const ScallopLoop& loop, const LineGrain& grain, std::vector<std::size_t>& from);
+ *  squares with weights (1 - |t|^3)^3. Circles keep their radius to the fourth order of width / radius. */
+ScallopLoop smoothed(const ScallopLoop& loop, const LineGrain& grain);
 
 /** Points of \p loop to keep, ascending, with the first one. The others lie within \p tolerance of the straight lines between them,
  *  which are no longer than \p longest; both in step-overs. */

@@ -96,7 +96,7 @@ thinSummits(const std::vector<RawLoop>& loops)
   return summits;
 }
 
-FinishedLoop
+ScallopLoop
 finishedLoop(const StepOverDistance& field, const RawLoop& loop)
 {
   LineGrain grain;
@@ -105,16 +105,14 @@ finishedLoop(const StepOverDistance& field, const RawLoop& loop)
     grain.steps.push_back(std::max(fine_step, coarse_step * edge));
     grain.widths.push_back(std::max(fine_width, coarse_width * edge));
   }
-  std::vector<std::size_t> from;
-  const ScallopLoop line = smoothed(loop.line, grain, from);
-  FinishedLoop thin;
-  thin.line.level = line.level;
+  const ScallopLoop line = smoothed(loop.line, grain);
+  ScallopLoop thin;
+  thin.level = line.level;
   for (const std::size_t i : pointsKept(line, straight_within, longest_straight)) {
-    thin.line.points.push_back(line.points[i]);
-    thin.line.metric.push_back(line.metric[i]);
-    thin.is_near.push_back(loop.is_near[from[i]] || loop.is_near[(from[i] + 1) % loop.is_near.size()]);
+    thin.points.push_back(line.points[i]);
+    thin.metric.push_back(line.metric[i]);
   }
-  thin.line.measure();
+  thin.measure();
   return thin;
 }
 

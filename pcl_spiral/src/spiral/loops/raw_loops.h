@@ -34,13 +34,8 @@ std::vector<RawLoop> traceLoops(const StepOverDistance& field, const RidgeBand& 
 /** Summits that lie only in thin loops of \p loops. */
 std::unordered_set<std::uint32_t> thinSummits(const std::vector<RawLoop>& loops);
 
-/** A loop without the zigzag of the mesh. */
-struct FinishedLoop {
-  ScallopLoop line;
-  std::vector<std::uint8_t> is_near; ///< one a point: from the loop it was made of
-};
-
-FinishedLoop finishedLoop(const StepOverDistance& field, const RawLoop& loop);
+/** \p loop without the zigzag of the mesh. */
+ScallopLoop finishedLoop(const StepOverDistance& field, const RawLoop& loop);
 
 /** Add the parts of \p loop that are near the band to \p set. */
 void addNearRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_near, std::size_t label, SegmentSet& set);

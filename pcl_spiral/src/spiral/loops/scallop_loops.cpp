@@ -9,23 +9,29 @@
 #include "spiral/lines/segment_set.h"
 #include "tight_necks.h"
 
+#include "common/stoppable_loop.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <unordered_set>
 #include <utility>
 
 namespace pcl_spiral {
 namespace {
 
-constexpr double blend = 0.25;                         // of smax
-constexpr double neck_depth = 0.25;                    // how far D rises above a loop's level in a neck that is widened
-constexpr double neck_agreement = 0.5;                 // gradients on its ridge agree at most this much
-constexpr double ridge_agreement = 0.97;               // agreement of gradients about a node of any ridge: cos 14 degrees
-constexpr double tight_neck = 0.25;                    // necks between nodes of the mesh that are narrower than this are widened
-constexpr int most_redrawings = 3;                     // of one level: widened necks may meet other necks
-constexpr double axis_reach = 1.2;                     // a finger changes the field up to this distance from its axis
-constexpr double search_within = 1.2;                  // larger distances are not measured
-constexpr int levels_together = 64;                    // drawn side by side
+constexpr double blend = 0.25;           // of smax
+constexpr double neck_depth = 0.25;      // how far D rises above a loop's level in a neck that is widened
+constexpr double neck_agreement = 0.5;   // gradients on its ridge agree at most this much
+constexpr double ridge_agreement = 0.97; // agreement of gradients about a node of any ridge: cos 14 degrees
+constexpr double tight_neck = 0.25;      // necks between nodes of the mesh that are narrower than this are widened
+constexpr int most_redrawings = 3;       // of one level: widened necks may meet other necks
+constexpr double axis_reach = 1.2;       // a finger changes the field up to this distance from its axis
+constexpr double search_within = 1.2;    // larger distances are not measured
+constexpr double raised_below = 0.95;    // levels from one to the nodes that its fingers change
+constexpr double raised_above = 1.5;
+constexpr int levels_together = 256;                   // traced, then drawn
+constexpr std::int64_t a_level = 1 << 14;              // what it takes, as a share of the work between two reports of the progress
 constexpr double core_below = 0.38, core_above = 1.31; // a core is examined between these levels
 
 /** max(a, b) with a rounded corner. */
@@ -36,13 +42,15 @@ smoothMax(double a, double b)
   return std::max(a, b) + d * d / (4.0 * blend);
 }
 
-/** The loops one level above another without fingers; parallel arrays. */
+/** The loops of a level, and the axes of their fingers. */
 struct DrawnLevel {
-  std::vector<RawLoop> raw;
-  std::vector<FinishedLoop> finished;
+  std::vector<ScallopLoop> loops;
+  std::vector<FingerAxis> axes;
 };
 
-/** Makes loops level by level; fingers are added to a level before the next is drawn. */
+/** Makes the loops of all levels. First they are traced as they lie on the field, then fingers are added to each level, from what its
+ *  traced loops and those below leave uncovered; so levels do not depend on one another. Side by side are only levels so far apart that
+ *  no node is in the way of two. */
 class LoopMaker {
 public:
   LoopMaker(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const ProgressCallback& progress,
@@ -53,16 +61,39 @@ public:
 
   bool run()
   {
-    const int levels = static_cast<int>(std::floor(field_.largest));
-    sortTriangles(levels + 1);
+    const int levels = static_cast<int>(std::floor(field_.largest)) + 1;
+    sortTriangles(levels);
     addRims();
-    for (int first = 0; first <= levels; first += levels_together) {
-      std::vector<DrawnLevel> drawn = draw(first, std::min(levels + 1, first + levels_together));
-      for (int k = first; k < first + static_cast<int>(drawn.size()); ++k) {
-        if (progress_ && !progress_(static_cast<double>(k) / (levels + 1), "loops"))
+    const int apart = levelsApart();
+    std::vector<std::vector<RawLoop>> traced(1); // from the level below the first on
+    for (int first = 0; first < levels; first += levels_together) {
+      const int count = std::min(levels - first, levels_together);
+      const auto part = [&](double from, double to) {
+        return partOf(progress_, (first + from * count) / levels, (first + to * count) / levels, "loops");
+      };
+      traced.resize(count + 1);
+      const auto trace = [&](std::int64_t i) {
+        const int level = first + static_cast<int>(i) + 1;
+        traced[i + 1] = traceLoops(field_, band_, climb_, values_, level, triangles_[level]);
+      };
+      if (!stoppableLoop(0, count, part(0.0, 0.2), trace, a_level))
+        return false;
+      std::vector<DrawnLevel> drawn(count);
+      for (int begin = 0; begin < std::min(apart, count); ++begin) {
+        const auto draw = [&](std::int64_t i) {
+          const auto k = begin + i * apart;
+          drawn[k] = drawnLevel(first + static_cast<int>(k), traced[k], traced[k + 1]);
+        };
+        const double done = static_cast<double>(begin) / apart;
+        if (!stoppableLoop(0, (count - begin + apart - 1) / apart, part(0.2 + 0.8 * done, 0.2 + 0.8 * (done + 1.0 / apart)), draw, a_level))
           return false;
-        addLevel(k, std::move(drawn[k - first]));
       }
+      for (DrawnLevel& level : drawn) {
+        for (const FingerAxis& axis : level.axes)
+          set_.axes.push_back(axis.points);
+        std::move(level.loops.begin(), level.loops.end(), std::back_inserter(set_.loops));
+      }
+      traced.front() = std::move(traced.back());
     }
     return true;
   }
@@ -76,13 +107,18 @@ private:
     std::vector<std::uint32_t> thin, done; ///< nodes that a finger reaches; nodes of finished cores, ascending
   };
 
+  /** The smallest and the largest D at the corners of a triangle. */
+  std::pair<double, double> rangeOf(const Triangulation::Triangle& c) const
+  {
+    return std::minmax({field_.distance[c[0]], field_.distance[c[1]], field_.distance[c[2]]});
+  }
   void sortTriangles(int levels);
   void addRims();
-  std::vector<DrawnLevel> draw(int first, int end) const;
-  void addLevel(int k, DrawnLevel level);
+  int levelsApart() const;
+  DrawnLevel drawnLevel(int k, const std::vector<RawLoop>& below, const std::vector<RawLoop>& above);
   std::vector<double> distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet& lines) const;
   bool isThin(const Between& at, std::uint32_t v) const;
-  void addLines(const std::vector<RawLoop>& base, Between& at) const;
+  void addLines(const std::vector<RawLoop>& below, const std::vector<RawLoop>& above, Between& at) const;
   void findCores(Between& at, std::vector<FingerAxis>& axes);
   void findFingersOf(const Between& at, std::vector<FingerAxis>& axes);
   void raise(int level, const std::vector<FingerAxis>& axes, const std::vector<std::uint32_t>& thin, std::vector<std::uint32_t>& changed);
@@ -97,7 +133,6 @@ private:
   std::vector<std::vector<std::uint32_t>> triangles_; ///< crossed by each level
   std::vector<std::uint32_t> scratch_;                ///< one a node, 0 between uses
   std::vector<float> agreement_;                      ///< of the gradients about each node: small on ridges between facing sides
-  std::vector<FinishedLoop> below_;                   ///< loops of the level before
 };
 
 void
@@ -107,8 +142,7 @@ LoopMaker::sortTriangles(int levels)
   const Triangulation& t = field_.mesh.triangles;
   for (std::uint32_t i = 0; i < t.triangleCount(); ++i) {
     const auto& c = t.triangle(i);
-    const double low = std::min({field_.distance[c[0]], field_.distance[c[1]], field_.distance[c[2]]});
-    const double high = std::max({field_.distance[c[0]], field_.distance[c[1]], field_.distance[c[2]]});
+    const auto [low, high] = rangeOf(c);
     for (int k = std::max(1, static_cast<int>(std::floor(low))); k <= levels && k <= high; ++k)
       triangles_[k].push_back(i);
   }
@@ -125,7 +159,6 @@ LoopMaker::addRims()
     }
     loop.measure();
     set_.loops.push_back(loop);
-    below_.push_back({loop, std::vector<std::uint8_t>(loop.points.size(), 1)});
   }
 }
 
@@ -147,14 +180,17 @@ LoopMaker::isThin(const Between& at, std::uint32_t v) const
 }
 
 void
-LoopMaker::addLines(const std::vector<RawLoop>& base, Between& at) const
+LoopMaker::addLines(const std::vector<RawLoop>& below, const std::vector<RawLoop>& above, Between& at) const
 {
-  for (std::size_t i = 0; i < below_.size(); ++i)
-    addNearRuns(below_[i].line, below_[i].is_near, i, at.lines);
-  for (std::size_t i = 0; i < base.size(); ++i)
-    if (!base[i].is_thin) {
-      addNearRuns(base[i].line, base[i].is_near, i, at.lines);
-      addNearRuns(base[i].line, base[i].is_near, i, at.upper);
+  for (std::size_t i = 0; at.level == 0 && i < field_.mesh.rims.size(); ++i)
+    at.lines.add(set_.loops[i].points, true, i);
+  for (std::size_t i = 0; i < below.size(); ++i)
+    if (!below[i].is_thin)
+      addNearRuns(below[i].line, below[i].is_near, i, at.lines);
+  for (std::size_t i = 0; i < above.size(); ++i)
+    if (!above[i].is_thin) {
+      addNearRuns(above[i].line, above[i].is_near, i, at.lines);
+      addNearRuns(above[i].line, above[i].is_near, i, at.upper);
     }
   at.lines.build();
   at.upper.build();
@@ -220,7 +256,7 @@ LoopMaker::raise(int level, const std::vector<FingerAxis>& axes, const std::vect
     lines.add(axis.points, false);
     for (std::size_t i = 0; i < axis.points.size(); ++i)
       band_.forNodesNear(axis.points[i], axis_reach * longestStepOver(axis.metric[i]), [&](std::uint32_t v) {
-        if (scratch_[v] == 0 && field_.distance[v] > level - 0.95 && field_.distance[v] < level + 1.5) {
+        if (scratch_[v] == 0 && field_.distance[v] > level - raised_below && field_.distance[v] < level + raised_above) {
           scratch_[v] = 1;
           changed.push_back(v);
         }
@@ -256,55 +292,47 @@ LoopMaker::redrawn(int level, const std::vector<FingerAxis>& axes, const std::ve
   return loops;
 }
 
-/** The loops above levels \p first to \p end: most have no fingers, so they are drawn in parallel. */
-std::vector<DrawnLevel>
-LoopMaker::draw(int first, int end) const
+/** The loops above level \p k, those of \p above with fingers into the space between them and the loops of \p below. */
+DrawnLevel
+LoopMaker::drawnLevel(int k, const std::vector<RawLoop>& below, const std::vector<RawLoop>& above)
 {
-  std::vector<DrawnLevel> drawn(end - first);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int k = first; k < end; ++k) {
-    DrawnLevel& level = drawn[k - first];
-    level.raw = traceLoops(field_, band_, climb_, values_, k + 1, triangles_[k + 1]);
-    for (const RawLoop& loop : level.raw)
-      level.finished.push_back(loop.is_thin ? FinishedLoop() : finishedLoop(field_, loop));
-  }
-  return drawn;
-}
-
-void
-LoopMaker::addLevel(int k, DrawnLevel level)
-{
-  std::vector<RawLoop>& loops = level.raw;
+  DrawnLevel level;
   Between at;
   at.level = k;
-  at.thin_summits = thinSummits(loops);
-  addLines(loops, at);
-  std::vector<FingerAxis> axes;
-  findCores(at, axes);
-  findFingersOf(at, axes);
-  loops.erase(std::remove_if(loops.begin(), loops.end(), [](const RawLoop& l) { return l.is_thin; }), loops.end());
-  std::vector<FinishedLoop>& finished = level.finished;
-  finished.erase(std::remove_if(finished.begin(), finished.end(), [](const FinishedLoop& l) { return l.line.points.empty(); }),
-                 finished.end());
+  at.thin_summits = thinSummits(above);
+  addLines(below, above, at);
+  findCores(at, level.axes);
+  findFingersOf(at, level.axes);
+  std::vector<RawLoop> loops;
+  for (const RawLoop& loop : above)
+    if (!loop.is_thin)
+      loops.push_back(loop);
   std::vector<FingerAxis> necks = tightNecks(loops, tight_neck);
-  const bool redraw = !axes.empty() || !necks.empty();
+  const bool redraw = !level.axes.empty() || !necks.empty();
   for (int round = 0; redraw; ++round) {
-    axes.insert(axes.end(), necks.begin(), necks.end());
-    loops = redrawn(k + 1, axes, at.thin);
+    level.axes.insert(level.axes.end(), necks.begin(), necks.end());
+    loops = redrawn(k + 1, level.axes, at.thin);
     necks = tightNecks(loops, tight_neck);
     if (necks.empty() || round == most_redrawings)
       break;
   }
-  for (const FingerAxis& axis : axes)
-    set_.axes.push_back(axis.points);
-  if (redraw) {
-    finished.clear();
-    for (const RawLoop& loop : loops)
-      finished.push_back(finishedLoop(field_, loop));
+  for (const RawLoop& loop : loops)
+    level.loops.push_back(finishedLoop(field_, loop));
+  return level;
+}
+
+/** How many levels on from one the next begins whose nodes it neither changes nor reads. A level changes nodes in a range of D of
+ *  raised_below + raised_above about it, and reads those of the triangles about these. */
+int
+LoopMaker::levelsApart() const
+{
+  const Triangulation& t = field_.mesh.triangles;
+  double widest = 0.0;
+  for (std::size_t i = 0; i < t.triangleCount(); ++i) {
+    const auto [low, high] = rangeOf(t.triangle(i));
+    widest = std::max(widest, high - low);
   }
-  below_ = std::move(finished);
-  for (const FinishedLoop& loop : below_)
-    set_.loops.push_back(loop.line);
+  return static_cast<int>(std::floor(raised_below + raised_above + widest)) + 1;
 }
 
 } // namespace
