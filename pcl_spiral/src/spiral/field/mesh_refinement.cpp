@@ -19,6 +19,8 @@ public:
     fine_.positions = std::move(coarse.positions);
     fine_.normals = std::move(coarse.normals);
     fine_.metric = std::move(coarse.metric);
+    lattice_.resize(static_cast<std::size_t>((parts_ + 1) * (parts_ + 2) / 2));
+    reserve();
   }
 
   StepOverMesh run(std::vector<std::uint8_t>& is_fine)
@@ -47,6 +49,17 @@ public:
   }
 
 private:
+  /** Room for the new nodes and triangles: about half as many nodes as triangles. */
+  void reserve()
+  {
+    const auto cut = static_cast<std::size_t>(std::count(chosen_.begin(), chosen_.end(), 1)),
+               pieces = static_cast<std::size_t>(parts_ * parts_);
+    const std::size_t nodes = nodes_ + cut * pieces / 2 + cut;
+    fine_.positions.reserve(nodes);
+    fine_.normals.reserve(nodes);
+    fine_.metric.reserve(nodes);
+    triangles_.reserve(triangulation_.triangleCount() + cut * pieces + cut);
+  }
   std::uint32_t canonical(std::uint32_t h) const
   {
     const std::uint32_t other = triangulation_.opposite(h);
@@ -88,24 +101,24 @@ private:
     const Triangle corners = triangulation_.triangle(t);
     const auto h = static_cast<std::uint32_t>(3 * t);
     // Row i from corner 0, place j in it: weights 1 - i/n, (i - j)/n, j/n.
-    std::vector<std::vector<std::uint32_t>> rows(parts_ + 1);
+    const auto at = [this](int i, int j) -> std::uint32_t& { return lattice_[static_cast<std::size_t>(i * (i + 1) / 2 + j)]; };
     for (int i = 0; i <= parts_; ++i)
       for (int j = 0; j <= i; ++j) {
         if (j == 0)
-          rows[i].push_back(edgeNode(h, i));
+          at(i, j) = edgeNode(h, i);
         else if (i == parts_)
-          rows[i].push_back(edgeNode(h + 1, j));
+          at(i, j) = edgeNode(h + 1, j);
         else if (j == i)
-          rows[i].push_back(edgeNode(h + 2, parts_ - i));
+          at(i, j) = edgeNode(h + 2, parts_ - i);
         else
-          rows[i].push_back(
-              add(corners, 1.0 - static_cast<double>(i) / parts_, static_cast<double>(i - j) / parts_, static_cast<double>(j) / parts_));
+          at(i, j) =
+              add(corners, 1.0 - static_cast<double>(i) / parts_, static_cast<double>(i - j) / parts_, static_cast<double>(j) / parts_);
       }
     for (int i = 0; i < parts_; ++i)
       for (int j = 0; j <= i; ++j) {
-        triangles_.push_back({rows[i][j], rows[i + 1][j], rows[i + 1][j + 1]});
+        triangles_.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
         if (j < i)
-          triangles_.push_back({rows[i][j], rows[i + 1][j + 1], rows[i][j + 1]});
+          triangles_.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
       }
   }
   void keepTriangle(std::size_t t)
@@ -151,6 +164,7 @@ private:
   std::vector<std::uint32_t> on_edge_; ///< first node inside each half-edge that represents its edge
   StepOverMesh fine_;
   std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> lattice_; ///< nodes of the triangle that is cut, row by row from corner 0
 };
 
 } // namespace

@@ -4,9 +4,7 @@
 #include "ridge_climb.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 
 namespace pcl_spiral {
@@ -43,13 +41,15 @@ RidgeBand::RidgeBand(const StepOverDistance& field) : field_(field)
 void
 RidgeBand::findNear()
 {
-  using Entry = std::pair<float, std::uint32_t>;
-  const Triangulation& triangles = field_.mesh.triangles;
   is_near_ = field_.is_fine;
   std::vector<float> reached(field_.mesh.size(), std::numeric_limits<float>::infinity());
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
-  const auto walkFrom = [&](std::uint32_t v, float walked) {
-    forNeighbours(triangles, v, [&](std::uint32_t w) {
+  std::vector<std::uint32_t> queue = nodes_; // each node as often as a shorter way to it is found
+  for (const std::uint32_t v : nodes_)
+    reached[v] = 0.0f;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const std::uint32_t v = queue[i];
+    const float walked = reached[v];
+    forNeighbours(field_.mesh.triangles, v, [&](std::uint32_t w) {
       if (field_.is_fine[w])
         return;
       const float there = walked + static_cast<float>(edgeLength(field_.mesh, v, w));
@@ -58,16 +58,8 @@ RidgeBand::findNear()
       reached[w] = there;
       is_near_[w] = 1; // the first beyond the reach too: it ends an edge that begins within
       if (there < near_band)
-        front.push({there, w});
+        queue.push_back(w);
     });
-  };
-  for (const std::uint32_t v : nodes_)
-    walkFrom(v, 0.0f);
-  while (!front.empty()) {
-    const auto [walked, v] = front.top();
-    front.pop();
-    if (walked <= reached[v])
-      walkFrom(v, walked);
   }
 }
 

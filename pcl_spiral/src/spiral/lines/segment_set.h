@@ -49,9 +49,9 @@ public:
   std::size_t place(std::size_t segment) const { return places_[segment]; }
 
   /** The segment nearest to \p p when it is nearer than \p within step-overs; else the distance is \p within. Runs with the
-   *  label \p but do not count. */
-  NearestSegment nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, double within,
-                         std::size_t but = NearestSegment::none) const;
+   *  label \p but do not count. One that is nearer than \p enough ends the search. */
+  NearestSegment nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, double within, std::size_t but = NearestSegment::none,
+                         double enough = 0.0) const;
   /** An upper limit of the distance of \p p, found along a run from \p segment while that gets nearer; no segment, and \p within, if
    *  nothing there is nearer. */
   NearestSegment along(const Eigen::Vector3d& p, const StepOverMetric& metric, std::size_t segment, double within) const;

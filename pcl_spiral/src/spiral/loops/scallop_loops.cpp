@@ -20,19 +20,22 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double blend = 0.25;           // of smax
-constexpr double neck_depth = 0.25;      // how far D rises above a loop's level in a neck that is widened
-constexpr double neck_agreement = 0.5;   // gradients on its ridge agree at most this much
-constexpr double ridge_agreement = 0.97; // agreement of gradients about a node of any ridge: cos 14 degrees
-constexpr double tight_neck = 0.25;      // necks between nodes of the mesh that are narrower than this are widened
-constexpr int most_redrawings = 3;       // of one level: widened necks may meet other necks
-constexpr double axis_reach = 1.2;       // a finger changes the field up to this distance from its axis
-constexpr double search_within = 1.2;    // larger distances are not measured
-constexpr double raised_below = 0.95;    // levels from one to the nodes that its fingers change
-constexpr double raised_above = 1.5;
-constexpr int levels_together = 256;                   // traced, then drawn
-constexpr std::int64_t a_level = 1 << 14;              // what it takes, as a share of the work between two reports of the progress
-constexpr double core_below = 0.38, core_above = 1.31; // a core is examined between these levels
+constexpr double blend = 0.25;                          // of smax
+constexpr double neck_depth = 0.25;                     // how far D rises above a loop's level in a neck that is widened
+constexpr double neck_agreement = 0.5;                  // gradients on its ridge agree at most this much
+constexpr double ridge_agreement = 0.97;                // agreement of gradients about a node of any ridge: cos 14 degrees
+constexpr double tight_neck = 0.25;                     // necks between nodes of the mesh that are narrower than this are widened
+constexpr int most_redrawings = 3;                      // of one level: widened necks may meet other necks
+constexpr double axis_reach = 1.2;                      // a finger changes the field up to this distance from its axis
+constexpr double search_within = 1.2;                   // larger distances are not measured
+constexpr double raised_below = 0.95;                   // levels from one to the nodes that its fingers change
+constexpr double raised_above = finger_radius + blend;  // beyond it, D is the larger in smoothMax
+constexpr std::size_t axis_stride = 8;                  // points of an axis between those about which nodes are looked for
+constexpr double axis_part = 0.5;                       // step-overs: longer than so many points of it
+constexpr std::size_t lower = NearestSegment::none - 1; // label
+constexpr int levels_together = 256;                    // traced, then drawn
+constexpr std::int64_t a_level = 1 << 14;               // what it takes, as a share of the work between two reports of the progress
+constexpr double core_below = 0.38, core_above = 1.31;  // a core is examined between these levels
 
 /** max(a, b) with a rounded corner. */
 double
@@ -101,8 +104,8 @@ public:
 private:
   /** Data of the space between the loops of one level and the next. */
   struct Between {
-    int level = 0;           ///< of the lower loops
-    SegmentSet lines, upper; ///< loops of both levels; loops of the upper level
+    int level = 0;    ///< of the lower loops
+    SegmentSet lines; ///< loops of both levels; the label of an upper one is its index, of the others lower
     std::unordered_set<std::uint32_t> thin_summits;
     std::vector<std::uint32_t> thin, done; ///< nodes that a finger reaches; nodes of finished cores, ascending
   };
@@ -116,7 +119,7 @@ private:
   void addRims();
   int levelsApart() const;
   DrawnLevel drawnLevel(int k, const std::vector<RawLoop>& below, const std::vector<RawLoop>& above);
-  std::vector<double> distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet& lines) const;
+  std::vector<double> distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet& lines, double enough) const;
   bool isThin(const Between& at, std::uint32_t v) const;
   void addLines(const std::vector<RawLoop>& below, const std::vector<RawLoop>& above, Between& at) const;
   void findCores(Between& at, std::vector<FingerAxis>& axes);
@@ -163,13 +166,14 @@ LoopMaker::addRims()
 }
 
 std::vector<double>
-LoopMaker::distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet& lines) const
+LoopMaker::distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet& lines, double enough) const
 {
   std::vector<double> distances(nodes.size());
   const auto count = static_cast<std::int64_t>(nodes.size());
 #pragma omp parallel for schedule(dynamic, 256) if (count > 2048)
   for (std::int64_t i = 0; i < count; ++i)
-    distances[i] = lines.nearest(field_.mesh.positions[nodes[i]], field_.mesh.metric[nodes[i]], search_within).distance;
+    distances[i] =
+        lines.nearest(field_.mesh.positions[nodes[i]], field_.mesh.metric[nodes[i]], search_within, NearestSegment::none, enough).distance;
   return distances;
 }
 
@@ -183,17 +187,14 @@ void
 LoopMaker::addLines(const std::vector<RawLoop>& below, const std::vector<RawLoop>& above, Between& at) const
 {
   for (std::size_t i = 0; at.level == 0 && i < field_.mesh.rims.size(); ++i)
-    at.lines.add(set_.loops[i].points, true, i);
+    at.lines.add(set_.loops[i].points, true, lower);
   for (std::size_t i = 0; i < below.size(); ++i)
     if (!below[i].is_thin)
-      addNearRuns(below[i].line, below[i].is_near, i, at.lines);
+      addNearRuns(below[i].line, below[i].is_near, lower, at.lines);
   for (std::size_t i = 0; i < above.size(); ++i)
-    if (!above[i].is_thin) {
+    if (!above[i].is_thin)
       addNearRuns(above[i].line, above[i].is_near, i, at.lines);
-      addNearRuns(above[i].line, above[i].is_near, i, at.upper);
-    }
   at.lines.build();
-  at.upper.build();
 }
 
 /** Axes about summits that no loop of the next level goes round. */
@@ -209,7 +210,7 @@ LoopMaker::findCores(Between& at, std::vector<FingerAxis>& axes)
   }
   std::sort(core.begin(), core.end());
   for (const std::vector<std::uint32_t>& group : connectedGroups(field_.mesh.triangles, core, scratch_)) {
-    const std::vector<double> distances = distancesOf(group, at.lines);
+    const std::vector<double> distances = distancesOf(group, at.lines, 0.0);
     if (*std::max_element(distances.begin(), distances.end()) <= covered_within + 0.004)
       continue;
     findCoreAxes(field_, group, distances, scratch_, axes);
@@ -232,7 +233,7 @@ LoopMaker::findFingersOf(const Between& at, std::vector<FingerAxis>& axes)
   addOpen(band_.between(at.level + 0.5, at.level + 1.0));
   addOpen(at.thin);
   std::sort(gap.nodes.begin(), gap.nodes.end());
-  gap.distances = distancesOf(gap.nodes, at.lines);
+  gap.distances = distancesOf(gap.nodes, at.lines, covered_within);
   for (const std::uint32_t v : band_.between(at.level + 1.0, at.level + 1.0 + neck_depth))
     if (agreement_[v] < neck_agreement && !isThin(at, v))
       gap.necks.push_back(v);
@@ -240,8 +241,8 @@ LoopMaker::findFingersOf(const Between& at, std::vector<FingerAxis>& axes)
   gap.is_ridge = [this](std::uint32_t v) { return agreement_[v] < ridge_agreement; };
   gap.is_above = [&](std::uint32_t v) { return field_.distance[v] >= at.level + 1.0 && !isThin(at, v); };
   gap.loop_near = [&](std::uint32_t v) {
-    const NearestSegment near = at.upper.nearest(field_.mesh.positions[v], field_.mesh.metric[v], search_within);
-    return near.segment == NearestSegment::none ? near.segment : at.upper.label(near.segment);
+    const NearestSegment near = at.lines.nearest(field_.mesh.positions[v], field_.mesh.metric[v], search_within, lower);
+    return near.segment == NearestSegment::none ? near.segment : at.lines.label(near.segment);
   };
   findFingers(field_, climb_, gap, scratch_, axes);
 }
@@ -254,8 +255,8 @@ LoopMaker::raise(int level, const std::vector<FingerAxis>& axes, const std::vect
   SegmentSet lines;
   for (const FingerAxis& axis : axes) {
     lines.add(axis.points, false);
-    for (std::size_t i = 0; i < axis.points.size(); ++i)
-      band_.forNodesNear(axis.points[i], axis_reach * longestStepOver(axis.metric[i]), [&](std::uint32_t v) {
+    for (std::size_t i = 0; i < axis.points.size(); i += axis_stride)
+      band_.forNodesNear(axis.points[i], (axis_reach + axis_part) * longestStepOver(axis.metric[i]), [&](std::uint32_t v) {
         if (scratch_[v] == 0 && field_.distance[v] > level - raised_below && field_.distance[v] < level + raised_above) {
           scratch_[v] = 1;
           changed.push_back(v);
@@ -268,9 +269,10 @@ LoopMaker::raise(int level, const std::vector<FingerAxis>& axes, const std::vect
   for (const std::uint32_t v : thin)
     values_[v] = level - std::max(0.05, field_.distance[v] - level);
   for (const std::uint32_t v : changed) {
-    const double d = lines.nearest(field_.mesh.positions[v], field_.mesh.metric[v], axis_reach).distance;
-    if (d < axis_reach)
-      values_[v] = level + smoothMax(std::clamp(values_[v] - level, -3.0, 3.0), finger_radius - d);
+    const double over = values_[v] - level, within = std::min(axis_reach, raised_above - over);
+    const double d = lines.nearest(field_.mesh.positions[v], field_.mesh.metric[v], within).distance;
+    if (d < within)
+      values_[v] = level + smoothMax(over, finger_radius - d);
   }
   changed.insert(changed.end(), thin.begin(), thin.end());
 }
