@@ -34,7 +34,7 @@ SegmentSet::nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, doub
     return best;
   const double widest = longestStepOver(metric);
   index_->search(
-      p, [&] { return best.distance > enough ? best.distance * widest : 0.0; },
+      p, [&] { return best.segment == NearestSegment::none || best.distance > enough ? best.distance * widest : 0.0; },
       [&](std::size_t s) {
         if (is_joint_[s] || labels_[s] == but)
           return;

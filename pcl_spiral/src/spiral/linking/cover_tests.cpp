@@ -149,7 +149,7 @@ testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places, co
   all.build();
   deep.build();
   const auto isNear = [&](const SegmentSet& set, std::size_t i) {
-    return set.nearest(tests.points[i], tests.metric[i], watch_reach).segment != NearestSegment::none;
+    return set.nearest(tests.points[i], tests.metric[i], watch_reach, NearestSegment::none, watch_reach).segment != NearestSegment::none;
   };
   const auto mayMove = [&](const NearestSegment& near) {
     const std::size_t s = line.label(near.segment) + line.place(near.segment);
