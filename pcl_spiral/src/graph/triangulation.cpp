@@ -6,9 +6,88 @@
 
 namespace pcl_spiral {
 
-Triangulation::Triangulation(std::size_t point_count, const std::vector<Triangle>& triangles) : outgoing_begin_(point_count + 1, 0)
+Triangulation::Triangulation(std::size_t point_count, std::vector<Triangle> triangles)
+: triangles_(std::move(triangles)), outgoing_begin_(point_count + 1, 0)
 {
-  append(triangles);
+  findOutgoing();
+  opposite_.assign(halfEdgeCount(), none);
+  joinFacing();
+}
+
+void
+Triangulation::findOutgoing()
+{
+  const auto count = static_cast<std::int64_t>(halfEdgeCount()), points = static_cast<std::int64_t>(outgoing_begin_.size()) - 1;
+  std::vector<std::uint32_t> next(outgoing_begin_.size(), 0); // first counts, then where a point's next half-edge goes
+#pragma omp parallel for schedule(static)
+  for (std::int64_t h = 0; h < count; ++h) {
+#pragma omp atomic
+    ++next[origin(static_cast<std::uint32_t>(h))];
+  }
+  std::uint32_t before = 0;
+  for (std::int64_t v = 0; v <= points; ++v) {
+    outgoing_begin_[v] = before;
+    before += next[v];
+    next[v] = outgoing_begin_[v];
+  }
+  outgoing_.resize(halfEdgeCount());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t h = 0; h < count; ++h) {
+    std::uint32_t place = 0;
+#pragma omp atomic capture
+    place = next[origin(static_cast<std::uint32_t>(h))]++;
+    outgoing_[place] = static_cast<std::uint32_t>(h);
+  }
+#pragma omp parallel for schedule(static)
+  for (std::int64_t v = 0; v < points; ++v) // threads fill a list in any order
+    std::sort(outgoing_.begin() + outgoing_begin_[v], outgoing_.begin() + outgoing_begin_[v + 1]);
+}
+
+void
+Triangulation::joinFacing()
+{
+  const auto count = static_cast<std::int64_t>(halfEdgeCount());
+  std::vector<std::uint32_t> unclear; // half-edges that face several, or not alone
+#pragma omp parallel
+  {
+    std::vector<std::uint32_t> mine;
+#pragma omp for schedule(static) nowait
+    for (std::int64_t i = 0; i < count; ++i) {
+      const auto h = static_cast<std::uint32_t>(i);
+      const std::uint32_t from = origin(h), to = target(h);
+      std::uint32_t facing = none;
+      int facing_it = 0, beside = 0;
+      for (std::uint32_t k = outgoing_begin_[to]; k < outgoing_begin_[to + 1]; ++k)
+        if (target(outgoing_[k]) == from) {
+          facing = outgoing_[k];
+          ++facing_it;
+        }
+      for (std::uint32_t k = outgoing_begin_[from]; facing_it == 1 && k < outgoing_begin_[from + 1]; ++k)
+        beside += target(outgoing_[k]) == to;
+      if (facing_it == 1 && beside == 1)
+        opposite_[h] = facing;
+      else if (facing_it > 0)
+        mine.push_back(h);
+    }
+#pragma omp critical(pcl_spiral_triangulation)
+    unclear.insert(unclear.end(), mine.begin(), mine.end());
+  }
+  std::sort(unclear.begin(), unclear.end());
+  for (const std::uint32_t h : unclear)
+    join(h);
+}
+
+void
+Triangulation::join(std::uint32_t h)
+{
+  const std::uint32_t from = origin(h), to = target(h);
+  for (std::uint32_t k = outgoing_begin_[to]; k < outgoing_begin_[to + 1] && opposite_[h] == none; ++k) {
+    const std::uint32_t facing = outgoing_[k];
+    if (target(facing) == from && opposite_[facing] == none) {
+      opposite_[h] = facing;
+      opposite_[facing] = h;
+    }
+  }
 }
 
 Triangulation::Triangulation(std::vector<Triangle> triangles, std::vector<std::uint32_t> opposite,
@@ -26,16 +105,8 @@ Triangulation::append(const std::vector<Triangle>& triangles)
   triangles_.insert(triangles_.end(), triangles.begin(), triangles.end());
   opposite_.resize(halfEdgeCount(), none);
   insertOutgoing(first);
-  for (std::uint32_t h = first; h < halfEdgeCount(); ++h) {
-    const std::uint32_t from = origin(h), to = target(h);
-    for (std::uint32_t k = outgoing_begin_[to]; k < outgoing_begin_[to + 1] && opposite_[h] == none; ++k) {
-      const std::uint32_t facing = outgoing_[k];
-      if (target(facing) == from && opposite_[facing] == none) {
-        opposite_[h] = facing;
-        opposite_[facing] = h;
-      }
-    }
-  }
+  for (std::uint32_t h = first; h < halfEdgeCount(); ++h)
+    join(h);
 }
 
 void

@@ -44,7 +44,7 @@ public:
         keepTriangle(i);
     is_fine.resize(fine_.size(), 0);
     cutRims();
-    fine_.triangles = Triangulation(fine_.size(), triangles_);
+    fine_.triangles = Triangulation(fine_.size(), std::move(triangles_));
     return std::move(fine_);
   }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace pcl_spiral {
@@ -29,35 +30,42 @@ constexpr double wide_band = 1.4;    // step-overs on either side of a ridge
 constexpr double narrow_band = 0.5 + finger_radius;
 constexpr double band_gradient = 0.94; // |grad D| below which triangles join the band
 constexpr double weak_gradient = 0.97;
-constexpr double least_clear = 2.5; // spacings
+constexpr double least_clear = 2.5;                   // spacings
+constexpr std::size_t triangles_looked_at = 1u << 18; // for the median of their sides
+constexpr std::size_t sum_block = 4096;               // triangles
+constexpr double small_band = 2.0;                    // a band is small if the mesh has so many triangles for each it is cut into
 
 double
 medianEdge(const StepOverMesh& mesh)
 {
-  std::vector<float> edges(mesh.triangles.halfEdgeCount());
-  const auto count = static_cast<std::int64_t>(mesh.triangles.triangleCount());
-#pragma omp parallel for schedule(static, 4096)
-  for (std::int64_t t = 0; t < count; ++t) {
-    const std::array<double, 3> sides = stepOverSides(mesh, t);
-    for (int i = 0; i < 3; ++i)
-      edges[3 * t + i] = static_cast<float>(sides[i]);
-  }
+  const std::size_t stride = mesh.triangles.triangleCount() / triangles_looked_at + 1;
+  std::vector<float> edges;
+  for (std::size_t t = 0; t < mesh.triangles.triangleCount(); t += stride)
+    for (const double side : stepOverSides(mesh, t))
+      edges.push_back(static_cast<float>(side));
   std::nth_element(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2), edges.end());
   return edges[edges.size() / 2];
 }
 
-/** Add the triangles that share a node with those chosen. */
+/** Add \p rings times the triangles that share a node with those chosen. */
 void
-grow(const Triangulation& triangles, std::vector<std::uint8_t>& chosen, std::size_t nodes)
+grow(const Triangulation& triangles, std::vector<std::uint8_t>& chosen, int rings)
 {
-  std::vector<std::uint8_t> node(nodes, 0);
-  for (std::size_t t = 0; t < triangles.triangleCount(); ++t)
+  std::vector<std::uint32_t> added;
+  for (std::uint32_t t = 0; t < chosen.size(); ++t)
     if (chosen[t])
+      added.push_back(t);
+  for (int ring = 0; ring < rings; ++ring) {
+    std::vector<std::uint32_t> last;
+    last.swap(added);
+    for (const std::uint32_t t : last)
       for (const std::uint32_t v : triangles.triangle(t))
-        node[v] = 1;
-  for (std::size_t t = 0; t < triangles.triangleCount(); ++t)
-    for (const std::uint32_t v : triangles.triangle(t))
-      chosen[t] |= node[v];
+        for (std::size_t o = triangles.outgoingBegin(v); o < triangles.outgoingBegin(v + 1); ++o)
+          if (const std::uint32_t beside = triangles.outgoing(o) / 3; !chosen[beside]) {
+            chosen[beside] = 1;
+            added.push_back(beside);
+          }
+  }
 }
 
 /** Triangles within \p width step-overs of the ridges of \p distance. \p edge: of the mesh there. */
@@ -67,11 +75,12 @@ aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, doubl
   const std::vector<float> agreement = gradientAgreement(mesh, distance);
   const auto least = static_cast<float>(std::cos(ridge_turn * pi / 180.0));
   std::vector<std::uint8_t> chosen(mesh.triangles.triangleCount(), 0);
-  for (std::size_t t = 0; t < chosen.size(); ++t)
+  const auto count = static_cast<std::int64_t>(chosen.size());
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t t = 0; t < count; ++t)
     for (const std::uint32_t v : mesh.triangles.triangle(t))
       chosen[t] |= agreement[v] < least;
-  for (int ring = 0; ring < static_cast<int>(std::ceil(width / edge)); ++ring)
-    grow(mesh.triangles, chosen, mesh.size());
+  grow(mesh.triangles, chosen, static_cast<int>(std::ceil(width / edge)));
   return chosen;
 }
 
@@ -84,7 +93,7 @@ wideBand(const StepOverMesh& mesh, const std::vector<double>& distance, double e
   std::vector<std::uint8_t> weak(chosen.size(), 0);
   for (std::size_t t = 0; t < chosen.size(); ++t)
     weak[t] = lengths[t] < band_gradient;
-  grow(mesh.triangles, weak, mesh.size());
+  grow(mesh.triangles, weak, 1);
   for (std::size_t t = 0; t < chosen.size(); ++t)
     chosen[t] |= weak[t];
   return chosen;
@@ -126,12 +135,16 @@ checkWidth(const StepOverMesh& mesh, const std::vector<double>& distance, double
 double
 leastLength(const StepOverMesh& mesh, double reserve)
 {
-  double sum = 0.0;
-  for (std::size_t t = 0; t < mesh.triangles.triangleCount(); ++t) { // serial: a sum whose rounding depends on its order
-    const auto& c = mesh.triangles.triangle(t);
-    const Eigen::Vector3d area = 0.5 * (mesh.positions[c[1]] - mesh.positions[c[0]]).cross(mesh.positions[c[2]] - mesh.positions[c[0]]);
-    sum += area.norm() * (1.0 - reserve) / longestStepOver(mesh.metric[c[0]]);
-  }
+  const auto blocks = static_cast<std::int64_t>((mesh.triangles.triangleCount() + sum_block - 1) / sum_block);
+  std::vector<double> sums(blocks, 0.0); // by blocks: rounding depends on the order of a sum
+#pragma omp parallel for schedule(static)
+  for (std::int64_t b = 0; b < blocks; ++b)
+    for (std::size_t t = b * sum_block; t < std::min(mesh.triangles.triangleCount(), (b + 1) * sum_block); ++t) {
+      const auto& c = mesh.triangles.triangle(t);
+      const Eigen::Vector3d area = 0.5 * (mesh.positions[c[1]] - mesh.positions[c[0]]).cross(mesh.positions[c[2]] - mesh.positions[c[0]]);
+      sums[b] += area.norm() * (1.0 - reserve) / longestStepOver(mesh.metric[c[0]]);
+    }
+  double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
   for (const std::vector<std::uint32_t>& rim : mesh.rims)
     for (std::size_t i = 0; i < rim.size(); ++i)
       sum += 0.5 * (mesh.positions[rim[(i + 1) % rim.size()]] - mesh.positions[rim[i]]).norm();
@@ -156,8 +169,6 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
   field.usual_edge = medianEdge(coarse);
   field.least_length = leastLength(coarse, options.reserve);
   const double parts = std::max(2.0, std::ceil(narrow_parts * field.usual_edge));
-  const int first = std::max(1, static_cast<int>(std::ceil(wide_parts * field.usual_edge)));
-  const int second = static_cast<int>(std::ceil(parts / first));
   field.mesh = std::move(coarse);
   MarchedDistances marched;
   /** Cuts the chosen triangles, and measures anew what depends on them. */
@@ -172,13 +183,20 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
     return cancelled;
   if (const Status status = checkWidth(field.mesh, marched.distance, surface.spacing()); !status.ok())
     return status;
-  if (const Status status = cut(wideBand(field.mesh, marched.distance, field.usual_edge), first, 0.4, 0.6); !status.ok())
+  const std::vector<std::uint8_t> wide = wideBand(field.mesh, marched.distance, field.usual_edge);
+  const auto all_cut = static_cast<double>(std::count(wide.begin(), wide.end(), 1)) * parts * parts;
+  const bool at_once = small_band * all_cut < static_cast<double>(wide.size()); // a second cut goes through the whole mesh again
+  const double first = at_once ? parts : std::max(1.0, std::ceil(wide_parts * field.usual_edge));
+  if (const Status status = cut(wide, static_cast<int>(first), 0.4, 0.6); !status.ok())
     return status;
   field.cut_edge = field.usual_edge / first;
   field.is_cut = field.is_fine;
-  if (const Status status = cut(narrowBand(field.mesh, marched.distance, field.is_cut, field.cut_edge), second, 0.7, 1.0); !status.ok())
-    return status;
-  field.is_cut.resize(field.mesh.size(), 1);
+  if (!at_once) {
+    const std::vector<std::uint8_t> narrow = narrowBand(field.mesh, marched.distance, field.is_cut, field.cut_edge);
+    if (const Status status = cut(narrow, static_cast<int>(std::ceil(parts / first)), 0.7, 1.0); !status.ok())
+      return status;
+    field.is_cut.resize(field.mesh.size(), 1);
+  }
   field.distance = std::move(marched.distance);
   for (std::size_t v = 0; v < field.mesh.size(); ++v) {
     if (!std::isfinite(field.distance[v]))

@@ -283,7 +283,7 @@ MeshMaker::dropUnused()
   for (std::vector<std::uint32_t>& rim : mesh_.rims)
     for (std::uint32_t& v : rim)
       v = index[v];
-  mesh_.triangles = Triangulation(count, triangles_);
+  mesh_.triangles = Triangulation(count, std::move(triangles_));
 }
 
 Status

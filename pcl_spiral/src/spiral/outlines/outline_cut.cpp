@@ -99,7 +99,7 @@ largestPart(const Triangulation& triangles, const Cut& cut, std::size_t nodes)
     if (part[t] == 0)
       kept[count++] = kept[t];
   kept.resize(count);
-  return Triangulation(nodes, kept);
+  return Triangulation(nodes, std::move(kept));
 }
 
 /** How many fans the triangles about \p v form: 1 on a sheet. */

@@ -19,38 +19,63 @@ namespace {
 constexpr double step_reserve = 0.95;   // feet spread apart a little
 constexpr double least_step = 1e-6;     // of the longest: where the ball hardly fits, its centre does not move and any step is allowed
 constexpr double straight_share = 0.2;  // of the chord error
+constexpr double shared_foot = 0.25;    // spacings: a fit takes its points from several
 constexpr std::size_t chunk = 1u << 16; // points whose feet are computed together
 
+/** The points of \p path whose feet are computed: the first of each pass, and on from it those \p apart mm along the path. */
+std::vector<std::size_t>
+pointsLookedAt(const LinkedPath& path, double apart)
+{
+  std::vector<std::size_t> looked;
+  double way = 0.0;
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const bool begins = i == 0 || beginsPass(path.passes, i);
+    way = begins ? 0.0 : way + (path.points[i] - path.points[i - 1]).norm();
+    if (begins || way >= apart) {
+      looked.push_back(i);
+      way = 0.0;
+    }
+  }
+  return looked;
+}
+
 /** Longest move that starts at each point of the path along it; chunk by chunk, because feet need much memory. Fails if the path
- *  leaves the surface. */
+ *  leaves the surface. Points closer together than the fit can tell curvatures apart share a foot. */
 Status
 allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<double>& steps)
 {
   const double longest = settings.max_step > 0.0 ? settings.max_step : settings.tool_radius;
   const std::size_t n = path.points.size();
   steps.resize(n);
+  const std::vector<std::size_t> looked = pointsLookedAt(path, shared_foot * surface.spacing());
+  const auto stepAt = [&](std::size_t i, const SurfaceFoot& foot) {
+    const std::size_t before = i > 0 && !beginsPass(path.passes, i) ? i - 1 : i,
+                      after = i + 1 < n && !beginsPass(path.passes, i + 1) ? i + 1 : i;
+    const Eigen::Vector3d along = path.points[after] - path.points[before];
+    const Eigen::Vector3d tangent = (along - foot.normal * foot.normal.dot(along)).normalized();
+    const double curvature = spacingCurvature(settings.tool_radius, foot.normalCurvature(tangent));
+    const double step = stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest);
+    return step_reserve * std::max(step, least_step * longest);
+  };
+  Polyline queries;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < n; begin += chunk) {
-    const std::size_t end = std::min(n, begin + chunk);
-    const Polyline queries(path.points.begin() + static_cast<std::ptrdiff_t>(begin),
-                           path.points.begin() + static_cast<std::ptrdiff_t>(end));
+  for (std::size_t begin = 0; begin < looked.size(); begin += chunk) {
+    const std::size_t end = std::min(looked.size(), begin + chunk);
+    queries.clear();
+    for (std::size_t k = begin; k < end; ++k)
+      queries.push_back(path.points[looked[k]]);
     pathFeet(surface, queries, feet);
     const auto off = std::find_if(feet.begin(), feet.end(), [](const SurfaceFoot& f) { return !f.valid; });
     if (off != feet.end())
       return {StatusCode::Failed,
               textOf("the path leaves the scanned surface at ", placeText(queries[off - feet.begin()]),
                      ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
-    const auto count = static_cast<std::int64_t>(queries.size());
+    const auto count = static_cast<std::int64_t>(end - begin);
 #pragma omp parallel for schedule(static, 1024)
     for (std::int64_t k = 0; k < count; ++k) {
-      const std::size_t i = begin + static_cast<std::size_t>(k);
-      const std::size_t before = i > 0 && !beginsPass(path.passes, i) ? i - 1 : i,
-                        after = i + 1 < n && !beginsPass(path.passes, i + 1) ? i + 1 : i;
-      const Eigen::Vector3d along = path.points[after] - path.points[before];
-      const Eigen::Vector3d tangent = (along - feet[k].normal * feet[k].normal.dot(along)).normalized();
-      const double curvature = spacingCurvature(settings.tool_radius, feet[k].normalCurvature(tangent));
-      const double step = stepFromChordErrorAtCentre(settings.tool_radius, curvature, settings.chord_error, longest);
-      steps[i] = step_reserve * std::max(step, least_step * longest);
+      const std::size_t next = begin + k + 1 < looked.size() ? looked[begin + k + 1] : n;
+      for (std::size_t i = looked[begin + k]; i < next; ++i)
+        steps[i] = stepAt(i, feet[k]);
     }
   }
   return Status::success();

@@ -20,7 +20,7 @@ public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
   Triangulation() = default;
-  Triangulation(std::size_t point_count, const std::vector<Triangle>& triangles);
+  Triangulation(std::size_t point_count, std::vector<Triangle> triangles);
   /** Made from its parts, which must fit together: \p opposite of each half-edge; half-edges that leave point v in \p outgoing
    *  from outgoing_begin[v] to outgoing_begin[v + 1]. */
   Triangulation(std::vector<Triangle> triangles, std::vector<std::uint32_t> opposite, std::vector<std::uint32_t> outgoing_begin,
@@ -51,6 +51,9 @@ public:
   std::vector<std::uint32_t> parts(std::vector<std::size_t>& sizes) const;
 
 private:
+  void findOutgoing();
+  void joinFacing();
+  void join(std::uint32_t h);
   void insertOutgoing(std::uint32_t first_half_edge);
 
   std::vector<Triangle> triangles_;
