@@ -43,31 +43,35 @@ Triangulation::findOutgoing()
     std::sort(outgoing_.begin() + outgoing_begin_[v], outgoing_.begin() + outgoing_begin_[v + 1]);
 }
 
+/** About a point, the half-edge that faces one which leaves it comes before another that leaves it. */
 void
 Triangulation::joinFacing()
 {
-  const auto count = static_cast<std::int64_t>(halfEdgeCount());
+  const auto points = static_cast<std::int64_t>(outgoing_begin_.size()) - 1;
   std::vector<std::uint32_t> unclear; // half-edges that face several, or not alone
 #pragma omp parallel
   {
-    std::vector<std::uint32_t> mine;
+    std::vector<std::uint32_t> mine, targets, origins; // of the half-edges that leave a point, and of those before them
 #pragma omp for schedule(static) nowait
-    for (std::int64_t i = 0; i < count; ++i) {
-      const auto h = static_cast<std::uint32_t>(i);
-      const std::uint32_t from = origin(h), to = target(h);
-      std::uint32_t facing = none;
-      int facing_it = 0, beside = 0;
-      for (std::uint32_t k = outgoing_begin_[to]; k < outgoing_begin_[to + 1]; ++k)
-        if (target(outgoing_[k]) == from) {
-          facing = outgoing_[k];
-          ++facing_it;
+    for (std::int64_t v = 0; v < points; ++v) {
+      targets.clear();
+      origins.clear();
+      for (std::uint32_t k = outgoing_begin_[v]; k < outgoing_begin_[v + 1]; ++k) {
+        const Triangle& t = triangles_[outgoing_[k] / 3];
+        const std::uint32_t i = outgoing_[k] % 3;
+        targets.push_back(t[(i + 1) % 3]);
+        origins.push_back(t[(i + 2) % 3]);
+      }
+      for (std::size_t k = 0; k < targets.size(); ++k) {
+        const std::uint32_t h = outgoing_[outgoing_begin_[v] + k];
+        const auto facing = std::count(origins.begin(), origins.end(), targets[k]);
+        if (facing == 1 && std::count(targets.begin(), targets.end(), targets[k]) == 1) {
+          const auto at = static_cast<std::uint32_t>(std::find(origins.begin(), origins.end(), targets[k]) - origins.begin());
+          opposite_[h] = previous(outgoing_[outgoing_begin_[v] + at]);
         }
-      for (std::uint32_t k = outgoing_begin_[from]; facing_it == 1 && k < outgoing_begin_[from + 1]; ++k)
-        beside += target(outgoing_[k]) == to;
-      if (facing_it == 1 && beside == 1)
-        opposite_[h] = facing;
-      else if (facing_it > 0)
-        mine.push_back(h);
+        else if (facing > 0)
+          mine.push_back(h);
+      }
     }
 #pragma omp critical(pcl_spiral_triangulation)
     unclear.insert(unclear.end(), mine.begin(), mine.end());

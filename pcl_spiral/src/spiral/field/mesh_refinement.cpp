@@ -123,14 +123,18 @@ private:
   }
   void keepTriangle(std::size_t t)
   {
-    std::vector<std::uint32_t> ring;
-    for (std::uint32_t h = static_cast<std::uint32_t>(3 * t); h < 3 * t + 3; ++h) {
-      const bool cut = on_edge_[canonical(h)] != Triangulation::none;
-      for (int i = 0; i < (cut ? parts_ : 1); ++i)
-        ring.push_back(i == 0 ? triangulation_.origin(h) : edgeNode(h, i));
+    const auto first = static_cast<std::uint32_t>(3 * t);
+    const auto isCut = [this](std::uint32_t h) { return on_edge_[canonical(h)] != Triangulation::none; };
+    if (!isCut(first) && !isCut(first + 1) && !isCut(first + 2)) {
+      triangles_.push_back(triangulation_.triangle(t));
+      return;
     }
-    if (ring.size() == 3) {
-      triangles_.push_back({ring[0], ring[1], ring[2]});
+    std::vector<std::uint32_t> ring;
+    for (std::uint32_t h = first; h < first + 3; ++h)
+      for (int i = 0; i < (isCut(h) ? parts_ : 1); ++i)
+        ring.push_back(i == 0 ? triangulation_.origin(h) : edgeNode(h, i));
+    if (ring.size() == 3) { // cut into one part
+      triangles_.push_back(triangulation_.triangle(t));
       return;
     }
     const std::uint32_t middle = add(triangulation_.triangle(t), 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
