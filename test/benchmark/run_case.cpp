@@ -38,6 +38,8 @@ rawDome(const std::string& name)
 SpiralMethod
 methodNamed(const std::string& name)
 {
+  if (name == "default")
+    return SpiralSettings().method;
   if (name == "published")
     return SpiralMethod::Published;
   if (name == "scallop")
@@ -54,6 +56,9 @@ caseNames()
                                               "dome200k",
                                               "freeform",
                                               "dome12",
+                                              "dome_default",
+                                              "dome200k_default",
+                                              "freeform_default",
                                               "dome_scallop",
                                               "dome200k_scallop",
                                               "freeform_scallop",

@@ -19,7 +19,8 @@ struct RunCase {
 };
 
 /** dome (2 M points), dome200k, freeform (86 k) and dome12: 12 M raw points with noise and false echoes, filtered and
- *  thinned to about 2 M; dome200k_published and freeform_published: by SpiralMethod::Published, between loops of BoundaryLoops
+ *  thinned to about 2 M; all at equal pitch along radial lines. With _default: by the method that a user gets who names none;
+ *  _scallop: at constant scallop; dome200k_published and freeform_published: by SpiralMethod::Published, between loops of BoundaryLoops
  *  where the published walk fails. */
 const std::vector<std::string>& caseNames();
 

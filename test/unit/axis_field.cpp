@@ -251,6 +251,23 @@ TEST(SmoothAxes, ADentOfTheTurnsIsSmoothedAway)
   EXPECT_LT(field.deviating_points, 10u) << "but at the very ends, where a circle runs out straight";
 }
 
+/** Axes smoothed with one largest deviation do not keep the next from another. */
+TEST(SmoothAxes, ASmallerDeviationIsKeptAfterALargerOne)
+{
+  const auto along = [](double s) { return s > 50.0 ? 0.8 : 0.0; };
+  const auto flat = [](double) { return 0.0; };
+  for (const std::size_t count : {41, 200, 1000, 20000}) {
+    const TestPath path = straightPath(count, 100.0 / static_cast<double>(count), along, flat);
+    const SmoothAxes alone = smoothAxes(path.points, path.wanted, {5.0, 3.0 * degree, 0.0});
+    for (int round = 0; round < 3; ++round) {
+      smoothAxes(path.points, path.wanted, {5.0, 90.0 * degree, 0.0});
+      const SmoothAxes again = smoothAxes(path.points, path.wanted, {5.0, 3.0 * degree, 0.0});
+      ASSERT_LT(largestAngle(again.axes, alone.axes), 1e-12) << count;
+    }
+    EXPECT_GT(largestAngle(alone.axes, smoothAxes(path.points, path.wanted, {5.0, 90.0 * degree, 0.0}).axes), 0.1);
+  }
+}
+
 /** Steps of the axes far apart, each above the deviation and so weighted in several rounds, are smoothed as each alone. */
 TEST(SmoothAxes, StepsFarApartDoNotMix)
 {

@@ -201,19 +201,24 @@ TEST(BallReach, LiesBesideASphereOnAPlane)
   EXPECT_LT(deepest(part, reach), reach.tolerance() + 0.01);
 }
 
-/** A roof with planes that fall by \p slope, degrees, on either side of x = 0, scanned at random places of a lattice. */
+/** A roof with planes that fall by \p slope, degrees, on either side of x = 0, its edge rounded to a radius \p fillet, scanned at random
+ *  places of a lattice. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
-roof(double slope, double spacing, double noise)
+roof(double slope, double fillet, double spacing, double noise)
 {
+  const double angle = slope * M_PI / 180.0;
+  const auto height = [&](double x) {
+    return std::abs(x) < fillet * std::sin(angle) ? std::sqrt(fillet * fillet - x * x) - fillet / std::cos(angle)
+                                                  : -std::abs(x) * std::tan(angle);
+  };
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   std::mt19937 random(5);
   std::uniform_real_distribution<double> shift(-0.3 * spacing, 0.3 * spacing);
   std::normal_distribution<double> error(0.0, 1.0);
   for (double u = -15.0; u < 15.0; u += spacing)
     for (double v = -15.0; v < 15.0; v += spacing) {
-      const double x = (u + shift(random)) * std::cos(slope * M_PI / 180.0), y = v + shift(random);
-      cloud->push_back(pcl::PointXYZ(static_cast<float>(x), static_cast<float>(y),
-                                     static_cast<float>(noise * error(random) - std::abs(x) * std::tan(slope * M_PI / 180.0))));
+      const double x = (u + shift(random)) * std::cos(angle), y = v + shift(random);
+      cloud->push_back(pcl::PointXYZ(static_cast<float>(x), static_cast<float>(y), static_cast<float>(height(x) + noise * error(random))));
     }
   return cloud;
 }
@@ -230,24 +235,32 @@ TEST(BallReach, LooksCloselyWhereverTheBallDoesNotReachAll)
       }
 }
 
-/** The points cut off are the same whether all points are fitted, as with an obstacle, or only those that may be. */
+/** What is cut off and not reached is the same whether all points are fitted, as with an obstacle, or only where it may be needed. */
 TEST(BallReach, CountsAllPointsCutOffAtTheEdgeOfARoof)
 {
   std::size_t most = 0;
-  for (const double slope : {4.0, 6.0, 8.0, 12.0, 20.0, 30.0})
-    for (const double noise : {0.0, 0.002, 0.01}) {
-      const auto surface = surfaceOf(roof(slope, 0.5, noise));
-      const double ball = 0.6, tolerance = reachTolerance(surface->fit(), 0.0005);
-      const MissedPoints quick = BallReach(surface->graph(), surface->fit(), ball, tolerance).missed();
-      const BallObstacles far{{Eigen::Vector3f(0.0f, 0.0f, 100.0f)}, 0.1};
-      const MissedPoints all = BallReach(surface->graph(), surface->fit(), ball, tolerance, far).missed();
-      std::printf("  slope %g, noise %g: %zu of %zu, highest %.4f, least %.4f\n", slope, noise, quick.count, all.count, all.height,
-                  all.least);
-      EXPECT_EQ(quick.count, all.count);
-      EXPECT_NEAR(quick.height, all.height, 1e-6);
-      EXPECT_EQ(quick.place, all.place);
-      most = std::max(most, all.count);
-    }
+  const auto compare = [&most](double slope, double fillet, double noise, double ball) {
+    const auto surface = surfaceOf(roof(slope, fillet, 0.5, noise));
+    const double tolerance = reachTolerance(surface->fit(), 0.0005);
+    const BallReach quick(surface->graph(), surface->fit(), ball, tolerance);
+    const BallObstacles far{{Eigen::Vector3f(0.0f, 0.0f, 100.0f)}, 0.1};
+    const BallReach all(surface->graph(), surface->fit(), ball, tolerance, far);
+    std::printf("  slope %g, fillet %g, noise %g: %zu of %zu, highest %.4f, least %.4f; unreached %zu of %zu\n", slope, fillet, noise,
+                quick.missed().count, all.missed().count, all.missed().height, all.missed().least, quick.unreached().size(),
+                all.unreached().size());
+    EXPECT_EQ(quick.missed().count, all.missed().count);
+    EXPECT_NEAR(quick.missed().height, all.missed().height, 1e-6);
+    EXPECT_EQ(quick.missed().place, all.missed().place);
+    most = std::max(most, all.missed().count);
+  };
+  for (const double noise : {0.0, 0.002, 0.01}) {
+    for (const double slope : {4.0, 6.0, 8.0, 12.0, 20.0, 30.0, 45.0})
+      compare(slope, 0.0, noise, 0.6);
+    for (const double fillet : {0.25, 0.375, 0.5, 1.0, 2.0})
+      for (const double slope : {30.0, 45.0, fillet < 1.0 ? 50.0 : 60.0})
+        for (const double ball : {0.3, 0.6})
+          compare(slope, fillet, noise, ball);
+  }
   EXPECT_GT(most, 30u);
 }
 

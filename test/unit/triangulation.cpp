@@ -42,6 +42,7 @@ lattice(std::uint32_t count, std::size_t odd, unsigned seed)
 
 TEST(Triangulation, JoinsInParallelAsOneByOne)
 {
+  const int given = omp_get_max_threads();
   for (const std::size_t odd : {0, 30, 400})
     for (unsigned seed = 1; seed < 6; ++seed) {
       const std::vector<Triangle> triangles = lattice(20, odd, seed);
@@ -80,6 +81,7 @@ TEST(Triangulation, JoinsInParallelAsOneByOne)
         }
       }
     }
+  omp_set_num_threads(given);
 }
 
 } // namespace

@@ -11,7 +11,8 @@
 namespace pcl_spiral {
 
 /** Call \p body(i) for all i from \p first to below \p end, in any order and in parallel. \p progress: called with the share done after
- *  every 65536 of them; false cancels. \p size: how many of these one call does the work of. Returns false if cancelled. */
+ *  every 65536 of them; false cancels. \p size: how many of these one call does the work of. A single call leaves the threads to loops in
+ *  \p body. Returns false if cancelled. */
 template <typename Body>
 bool
 stoppableLoop(std::int64_t first, std::int64_t end, const std::function<bool(double)>& progress, const Body& body, std::int64_t size = 1)
@@ -21,7 +22,7 @@ stoppableLoop(std::int64_t first, std::int64_t end, const std::function<bool(dou
     if (progress && !progress(static_cast<double>(begin - first) / static_cast<double>(end - first)))
       return false;
     const std::int64_t stop = std::min(end, begin + together);
-#pragma omp parallel for schedule(dynamic, shared_out)
+#pragma omp parallel for schedule(dynamic, shared_out) if (stop - begin > 1)
     for (std::int64_t i = begin; i < stop; ++i)
       body(i);
   }

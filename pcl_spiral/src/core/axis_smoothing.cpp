@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace pcl_spiral {
 namespace {
@@ -78,7 +79,7 @@ public:
   /** \p changed: one entry a knot, 1 where the weight is new; after it, 1 where the value of \p spline is. */
   void solve(const std::vector<double>& weights, std::vector<std::uint8_t>& changed, Spline& spline)
   {
-    spline.value.resize(n_);
+    spline.value.resize(n_, Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())); // equal to nothing: all are new at first
     spline.second.resize(n_, Vector3d::Zero());
     std::vector<std::uint8_t> rows(n_, 0); // 1 where the row's part of L D L^T, or of the right side, is new
     for (std::size_t k = 1; k + 1 < n_; ++k)

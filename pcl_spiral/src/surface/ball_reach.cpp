@@ -58,12 +58,14 @@ reachTolerance(const MlsSurface& fit, double least)
 
 BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles,
                      const std::vector<SurfacePatch>& beyond)
-: graph_(graph), fit_(fit), radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)), own_(own_spacings * graph.spacing()),
-  own_tolerance_(std::max(own_deviations / deviations * tolerance_, own_steps * graph.spacing())), side_(graph.meanNormal())
+: graph_(graph), fit_(fit), size_(graph.size()), radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)),
+  own_(own_spacings * graph.spacing()), own_tolerance_(std::max(own_deviations / deviations * tolerance_, own_steps * graph.spacing())),
+  side_(graph.meanNormal())
 {
   if (obstacles.points.empty() && beyond.empty() && spheresAreEmpty(graph, radius_, own_, 0.5 * tolerance_)) {
     missed_ = missedPoints(graph, fit);
-    return;
+    if (missed_.count == 0)
+      return; // else an edge that the points do not show well: the fit decides
   }
   std::call_once(are_fitted_, [&] {
     std::vector<float> heights;

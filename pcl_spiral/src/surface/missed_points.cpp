@@ -15,6 +15,9 @@ constexpr std::size_t every = 16;         // points whose heights tell the devia
  *  fit cuts off up to 0.7 spacings times the slope; of six neighbours four lie lower by at least half of that by the arcs. */
 constexpr float worth_a_fit = 0.2f;
 constexpr int least_neighbours = 3;
+/** Between normals of neighbours, 30 degrees: where the surface turns more from point to point, its radius is below two spacings, and
+ *  neither normals nor arcs are known. */
+constexpr float least_cosine = 0.866f;
 constexpr std::size_t chunk = 1u << 16; // points fitted together
 
 double
@@ -46,17 +49,21 @@ heightsOf(const SurfaceGraph& graph, const MlsSurface& fit, const std::vector<st
   return heights;
 }
 
-/** Whether point \p i stands at least \p height out of the arcs from its neighbours, in the mean, or has too few of them to tell. An arc
+/** Whether point \p i stands at least \p height out of the arcs from its neighbours, in the mean, or cannot tell by them. An arc
  *  with the normals of its two ends rises from one end to the other by the mean normal along the chord. */
 bool
 standsOut(const SurfaceGraph& graph, std::size_t i, float height)
 {
   const Triangulation& triangles = graph.triangulation();
+  if (triangles.triangleCount() == 0)
+    return true;
   const PointBlocks& points = graph.blocks();
   float rise = 0.0f;
   int neighbours = 0;
   for (std::size_t o = triangles.outgoingBegin(i); o < triangles.outgoingBegin(i + 1); ++o, ++neighbours) {
     const std::uint32_t j = triangles.target(triangles.outgoing(o));
+    if (graph.normals()[i].dot(graph.normals()[j]) < least_cosine)
+      return true;
     rise += 0.5f * (graph.normals()[i] + graph.normals()[j]).dot(points.point(i) - points.point(j));
   }
   return neighbours < least_neighbours || rise > height * static_cast<float>(neighbours);

@@ -30,7 +30,7 @@ struct LevelGap {
   int level = 0;                    ///< of the lower loops
   std::vector<std::uint32_t> nodes; ///< of the band, between the two levels; ascending
   std::vector<std::uint32_t> necks; ///< on ridges within a loop of the next level that is narrower there than a finger; ascending
-  std::vector<double> distances;    ///< of each from the loops of both levels
+  std::vector<double> distances;    ///< of each of nodes from the loops of both levels; up to covered_within an upper limit
   std::function<bool(std::uint32_t)> is_ridge;         ///< whether gradients point apart about a node
   std::function<bool(std::uint32_t)> is_above;         ///< whether a node lies within a loop of the next level
   std::function<std::size_t(std::uint32_t)> loop_near; ///< the loop of the next level nearest to a node

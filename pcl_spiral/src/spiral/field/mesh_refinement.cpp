@@ -133,10 +133,6 @@ private:
     for (std::uint32_t h = first; h < first + 3; ++h)
       for (int i = 0; i < (isCut(h) ? parts_ : 1); ++i)
         ring.push_back(i == 0 ? triangulation_.origin(h) : edgeNode(h, i));
-    if (ring.size() == 3) { // cut into one part
-      triangles_.push_back(triangulation_.triangle(t));
-      return;
-    }
     const std::uint32_t middle = add(triangulation_.triangle(t), 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0);
     for (std::size_t i = 0; i < ring.size(); ++i)
       triangles_.push_back({ring[i], ring[(i + 1) % ring.size()], middle});

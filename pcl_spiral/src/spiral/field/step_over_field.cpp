@@ -110,6 +110,18 @@ narrowBand(const StepOverMesh& mesh, const std::vector<double>& distance, const 
   return chosen;
 }
 
+/** One a node: 1 at the corners of \p chosen triangles. */
+std::vector<std::uint8_t>
+cornersOf(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen)
+{
+  std::vector<std::uint8_t> corners(mesh.size(), 0);
+  for (std::size_t t = 0; t < chosen.size(); ++t)
+    if (chosen[t])
+      for (const std::uint32_t v : mesh.triangles.triangle(t))
+        corners[v] = 1;
+  return corners;
+}
+
 /** Refuse a surface with points too far apart to know its rim and feet: the place farthest from the rims lies less than two and a
  *  half spacings from them. */
 Status
@@ -173,6 +185,10 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
   MarchedDistances marched;
   /** Cuts the chosen triangles, and measures anew what depends on them. */
   const auto cut = [&](const std::vector<std::uint8_t>& chosen, int pieces, double from, double to) -> Status {
+    if (pieces == 1) { // fine enough
+      field.is_fine = cornersOf(field.mesh, chosen);
+      return Status::success();
+    }
     if (const Status status = checkMeshSize(field.mesh, chosen, pieces, options); !status.ok())
       return status;
     forgetBehind(field.mesh, chosen, marched);

@@ -33,8 +33,8 @@ constexpr double raised_above = finger_radius + blend;  // beyond it, D is the l
 constexpr std::size_t axis_stride = 8;                  // points of an axis between those about which nodes are looked for
 constexpr double axis_part = 0.5;                       // step-overs: longer than so many points of it
 constexpr std::size_t lower = NearestSegment::none - 1; // label
-constexpr int levels_together = 256;                    // traced, then drawn
-constexpr std::int64_t a_level = 1 << 14;               // what it takes, as a share of the work between two reports of the progress
+constexpr int levels_together = 128;                    // traced, then drawn
+constexpr std::int64_t a_level = 1 << 11;               // what it takes, as a share of the work between two reports of the progress
 constexpr double core_below = 0.38, core_above = 1.31;  // a core is examined between these levels
 
 /** max(a, b) with a rounded corner. */
@@ -257,7 +257,7 @@ LoopMaker::raise(int level, const std::vector<FingerAxis>& axes, const std::vect
     lines.add(axis.points, false);
     for (std::size_t i = 0; i < axis.points.size(); i += axis_stride)
       band_.forNodesNear(axis.points[i], (axis_reach + axis_part) * longestStepOver(axis.metric[i]), [&](std::uint32_t v) {
-        if (scratch_[v] == 0 && field_.distance[v] > level - raised_below && field_.distance[v] < level + raised_above) {
+        if (field_.distance[v] > level - raised_below && field_.distance[v] < level + raised_above && scratch_[v] == 0) {
           scratch_[v] = 1;
           changed.push_back(v);
         }

@@ -148,7 +148,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
       return status;
   }
   const std::vector<Eigen::Vector3f> ridden = surface->riddenPoints();
-  surface.reset();
+  surface.reset(); // the reach is asked for no patch from here on
   clock.end("projection");
   const Status cancelled(StatusCode::Cancelled, "cancelled");
   if (progress_ && !progress_(0.9, "tool axis"))

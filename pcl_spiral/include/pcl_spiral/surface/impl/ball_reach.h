@@ -40,7 +40,8 @@ struct BallObstacles {
  *  obstacles the ball is lifted along the normal of its foot, as when a cutter is dropped onto points (drop cutter). Where the surface
  *  continues beyond the graph, its patches hold the ball as those of the graph do.
  *
- *  Where it is clear from the points alone that the ball reaches all of them, patches are fitted only when one is asked for. Every point
+ *  Where it is clear from the points alone that the ball reaches all of them, patches are fitted only when one is asked for: ask
+ *  once before a parallel loop does, and while the graph is there. Every point
  *  is looked at once: near-linear, in parallel, the same for any number of threads. Memory: about 70 bytes per point, and per patch in a
  *  void between points, where the ball does not reach all of them. */
 class BallReach {
@@ -53,7 +54,7 @@ public:
   double radius() const { return radius_; }       ///< Of the ball, mm.
   double tolerance() const { return tolerance_; } ///< As given, mm.
 
-  std::size_t size() const { return graph_.size(); } ///< Points of the graph.
+  std::size_t size() const { return size_; } ///< Points of the graph.
   /** Points that the ball does not reach, in the order of the graph. */
   const std::vector<UnreachedPoint>& unreached() const { return unreached_; }
   /** Points that the fit cuts off. */
@@ -137,6 +138,7 @@ private:
 
   const SurfaceGraph& graph_;
   const MlsSurface& fit_;
+  std::size_t size_;
   double radius_, tolerance_;
   double own_, own_tolerance_; // mm: radius about a foot, and the depth that counts as noise there
   MissedPoints missed_;
