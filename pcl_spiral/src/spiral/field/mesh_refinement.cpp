@@ -20,28 +20,33 @@ public:
     fine_.normals = std::move(coarse.normals);
     fine_.metric = std::move(coarse.metric);
     lattice_.resize(static_cast<std::size_t>((parts_ + 1) * (parts_ + 2) / 2));
+    for (std::size_t i = 0; i < chosen_.size(); ++i)
+      if (chosen_[i])
+        cut_.push_back(i);
     reserve();
   }
 
   StepOverMesh run(std::vector<std::uint8_t>& is_fine)
   {
     const Triangulation& t = triangulation_;
-    for (std::uint32_t h = 0; h < t.halfEdgeCount(); ++h)
-      if (chosen_[h / 3])
+    for (const std::size_t i : cut_)
+      for (std::uint32_t h = static_cast<std::uint32_t>(3 * i); h < 3 * i + 3; ++h)
         cutEdge(h);
-    for (std::size_t i = 0; i < t.triangleCount(); ++i)
-      if (chosen_[i])
-        cutTriangle(i);
+    for (const std::size_t i : cut_)
+      cutTriangle(i);
     is_fine.assign(fine_.size(), 1);
     std::vector<std::uint8_t> touched(nodes_, 0);
-    for (std::size_t i = 0; i < t.triangleCount(); ++i)
-      if (chosen_[i])
-        for (const std::uint32_t v : t.triangle(i))
-          touched[v] = 1;
+    for (const std::size_t i : cut_)
+      for (const std::uint32_t v : t.triangle(i))
+        touched[v] = 1;
     std::copy(touched.begin(), touched.end(), is_fine.begin());
-    for (std::size_t i = 0; i < t.triangleCount(); ++i)
-      if (!chosen_[i])
+    for (std::size_t i = 0; i < t.triangleCount(); ++i) {
+      const Triangle& corners = t.triangle(i);
+      if (!touched[corners[0]] && !touched[corners[1]] && !touched[corners[2]])
+        triangles_.push_back(corners);
+      else if (!chosen_[i])
         keepTriangle(i);
+    }
     is_fine.resize(fine_.size(), 0);
     cutRims();
     fine_.triangles = Triangulation(fine_.size(), std::move(triangles_));
@@ -52,9 +57,7 @@ private:
   /** Room for the new nodes and triangles: about half as many nodes as triangles. */
   void reserve()
   {
-    const auto cut = static_cast<std::size_t>(std::count(chosen_.begin(), chosen_.end(), 1)),
-               pieces = static_cast<std::size_t>(parts_ * parts_);
-    const std::size_t nodes = nodes_ + cut * pieces / 2 + cut;
+    const std::size_t cut = cut_.size(), pieces = static_cast<std::size_t>(parts_ * parts_), nodes = nodes_ + cut * pieces / 2 + cut;
     fine_.positions.reserve(nodes);
     fine_.normals.reserve(nodes);
     fine_.metric.reserve(nodes);
@@ -164,6 +167,7 @@ private:
   std::vector<std::uint32_t> on_edge_; ///< first node inside each half-edge that represents its edge
   StepOverMesh fine_;
   std::vector<Triangle> triangles_;
+  std::vector<std::size_t> cut_;       ///< the chosen triangles
   std::vector<std::uint32_t> lattice_; ///< nodes of the triangle that is cut, row by row from corner 0
 };
 

@@ -2,6 +2,7 @@
 #include <pcl_spiral/spiral/impl/step_over_mesh.h>
 
 #include "rim_zipper.h"
+#include "spiral/outlines/handle_loop.h"
 #include "spiral/outlines/narrow_strip.h"
 #include "spiral/outlines/outline_cut.h"
 #include "spiral/outlines/outline_side.h"
@@ -289,15 +290,7 @@ MeshMaker::dropUnused()
 Status
 MeshMaker::checkGenus() const
 {
-  std::size_t inner = 0, free = 0;
-  for (std::uint32_t h = 0; h < mesh_.triangles.halfEdgeCount(); ++h) {
-    const std::uint32_t other = mesh_.triangles.opposite(h);
-    free += other == Triangulation::none;
-    inner += other != Triangulation::none && h < other;
-  }
-  const auto euler = static_cast<std::int64_t>(mesh_.size() + mesh_.triangles.triangleCount()) - static_cast<std::int64_t>(inner + free) +
-                     static_cast<std::int64_t>(mesh_.triangles.boundaryLoops().size());
-  if (euler != 2)
+  if (missingEuler(mesh_.positions, mesh_.triangles) != 0)
     return {StatusCode::Failed, textOf("the surface about ", placeText(mesh_.positions.front()),
                                        " has a handle or touches itself: a path at constant scallop needs a sheet with only a rim "
                                        "and holes; cut the part into pieces")};

@@ -172,13 +172,15 @@ private:
 std::size_t
 missingEuler(const Polyline& positions, const Triangulation& triangles)
 {
-  std::vector<std::uint8_t> used(positions.size(), 0);
-  std::size_t edges = 0;
-  for (std::uint32_t h = 0; h < triangles.halfEdgeCount(); ++h) {
-    used[triangles.origin(h)] = 1;
-    edges += triangles.opposite(h) == Triangulation::none || h < triangles.opposite(h);
-  }
-  const auto nodes = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  std::size_t edges = 0, nodes = 0;
+  const auto half_edges = static_cast<std::int64_t>(triangles.halfEdgeCount()), points = static_cast<std::int64_t>(positions.size());
+#pragma omp parallel for schedule(static) reduction(+ : edges)
+  for (std::int64_t h = 0; h < half_edges; ++h)
+    edges += triangles.opposite(static_cast<std::uint32_t>(h)) == Triangulation::none ||
+             static_cast<std::uint32_t>(h) < triangles.opposite(static_cast<std::uint32_t>(h));
+#pragma omp parallel for schedule(static) reduction(+ : nodes)
+  for (std::int64_t v = 0; v < points; ++v)
+    nodes += triangles.outgoingBegin(v) < triangles.outgoingBegin(v + 1);
   return 2 + edges - nodes - triangles.triangleCount() - triangles.boundaryLoops().size();
 }
 

@@ -126,8 +126,10 @@ bool
 dropPinches(const Triangulation& rest, std::vector<std::uint8_t>& dead)
 {
   bool pinched = false;
-  for (std::uint32_t v = 0; v < dead.size(); ++v)
-    if (fansAt(rest, v) > 1) {
+  const auto count = static_cast<std::int64_t>(dead.size());
+#pragma omp parallel for schedule(static, 4096) reduction(|| : pinched)
+  for (std::int64_t v = 0; v < count; ++v)
+    if (fansAt(rest, static_cast<std::uint32_t>(v)) > 1) {
       dead[v] = 1;
       pinched = true;
     }
