@@ -2,7 +2,6 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
-#include "finger_axes.h"
 #include "mesh_refinement.h"
 #include "scallop_size.h"
 #include "step_over_march.h"
@@ -25,9 +24,10 @@ constexpr double narrow_parts = 8.0; // the same of the narrow band
 constexpr double ridge_turn = 14.0;  // degrees
 constexpr double wide_band = 1.4;    // step-overs on either side of a ridge
 /** The same of the narrow band. A place that is not covered lies farther than half a step-over from the loops below, so D, which rises
- *  by 1 per step-over, would reach the next loops within half a step-over, if it did not end on a ridge before; and fingers from there
- *  reach as far again as they are wide. */
-constexpr double narrow_band = 0.5 + finger_radius;
+ *  by 1 per step-over, would reach the next loops within half a step-over, if it did not end on a ridge before; and a finger there blends
+ *  into its loop within 0.55 of its axis: 1.05, and a row of triangles. At 0.8, a pass that leaves a hole at its corner left a ridge of
+ *  1.55 times the height (test one_way), at 1.2 of 1.1 times; wider bands change nothing. */
+constexpr double narrow_band = 1.2;
 constexpr double band_gradient = 0.94; // |grad D| below which triangles join the band
 constexpr double weak_gradient = 0.97;
 constexpr double least_clear = 2.5;                   // spacings
