@@ -22,12 +22,10 @@ namespace {
 constexpr double wide_parts = 4.0;   // edges a step-over of the wide band
 constexpr double narrow_parts = 8.0; // the same of the narrow band
 constexpr double ridge_turn = 14.0;  // degrees
-constexpr double wide_band = 1.4;    // step-overs on either side of a ridge
-/** The same of the narrow band. A place that is not covered lies farther than half a step-over from the loops below, so D, which rises
- *  by 1 per step-over, would reach the next loops within half a step-over, if it did not end on a ridge before; and a finger there blends
- *  into its loop within 0.55 of its axis: 1.05, and a row of triangles. At 0.8, a pass that leaves a hole at its corner left a ridge of
- *  1.55 times the height (test one_way), at 1.2 of 1.1 times; wider bands change nothing. */
-constexpr double narrow_band = 1.2;
+/** Step-overs on either side of a ridge, in both bands. A place that is not covered lies within half a step-over of a ridge, and a finger
+ *  there blends into its loop within 0.55 of its axis: 1.05 at least. Measured: at 0.8 a pass that is moved far left a ridge of 1.55 times
+ *  the height (test one_way), at 1.0 to 1.2 a path over a rough scan crossed itself (test reach_map); from 1.3 on neither. */
+constexpr double band_width = 1.4;
 constexpr double band_gradient = 0.94; // |grad D| below which triangles join the band
 constexpr double weak_gradient = 0.97;
 constexpr double least_clear = 2.5;                   // spacings
@@ -68,9 +66,9 @@ grow(const Triangulation& triangles, std::vector<std::uint8_t>& chosen, int ring
   }
 }
 
-/** Triangles within \p width step-overs of the ridges of \p distance. \p edge: of the mesh there. */
+/** Triangles about the ridges of \p distance. \p edge: of the mesh there. */
 std::vector<std::uint8_t>
-aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, double width, double edge)
+aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, double edge)
 {
   const std::vector<float> agreement = gradientAgreement(mesh, distance);
   const auto least = static_cast<float>(std::cos(ridge_turn * pi / 180.0));
@@ -80,7 +78,7 @@ aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, doubl
   for (std::int64_t t = 0; t < count; ++t)
     for (const std::uint32_t v : mesh.triangles.triangle(t))
       chosen[t] |= agreement[v] < least;
-  grow(mesh.triangles, chosen, static_cast<int>(std::ceil(width / edge)));
+  grow(mesh.triangles, chosen, static_cast<int>(std::ceil(band_width / edge)));
   return chosen;
 }
 
@@ -88,7 +86,7 @@ aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, doubl
 std::vector<std::uint8_t>
 wideBand(const StepOverMesh& mesh, const std::vector<double>& distance, double edge)
 {
-  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, wide_band, edge);
+  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, edge);
   const std::vector<float> lengths = gradientLengths(mesh, distance);
   std::vector<std::uint8_t> weak(chosen.size(), 0);
   for (std::size_t t = 0; t < chosen.size(); ++t)
@@ -103,7 +101,7 @@ wideBand(const StepOverMesh& mesh, const std::vector<double>& distance, double e
 std::vector<std::uint8_t>
 narrowBand(const StepOverMesh& mesh, const std::vector<double>& distance, const std::vector<std::uint8_t>& is_cut, double edge)
 {
-  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, narrow_band, edge);
+  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, edge);
   for (std::size_t t = 0; t < chosen.size(); ++t)
     for (const std::uint32_t v : mesh.triangles.triangle(t))
       chosen[t] &= is_cut[v];
