@@ -295,6 +295,31 @@ TEST(SmoothAxes, StepsFarApartDoNotMix)
     ASSERT_LT(angleBetween(together.axes[i], reversed.axes[both.points.size() - 1 - i]), 1e-7) << both.points[i].transpose();
 }
 
+/** A long path is solved in parts of at least 1000 smoothing lengths: steps of the axes on both sides of such a place, above the deviation
+ *  and so weighted in several rounds, come out as on a piece of the path about that place, which is solved at once. */
+TEST(SmoothAxes, PartsOfALongPathMeetAsIfSolvedAtOnce)
+{
+  const AxisFieldOptions options{1.0, 3.0 * degree, 0.0};
+  for (const double place : {880.0, 905.0, 990.0, 999.9, 1000.1, 1015.0, 1095.0, 1120.0}) {
+    const auto along = [place](double s) { return 0.3 * std::sin(0.4 * s) + (s > place ? 0.8 : 0.0); };
+    const TestPath whole = straightPath(12000, 0.25, along, [](double s) { return 0.1 * std::cos(0.9 * s); });
+    ASSERT_GT(whole.points.back().x(), 2500.0);
+    const auto from = std::find_if(whole.points.begin(), whole.points.end(), [](const Vector3d& p) { return p.x() > 650.0; });
+    const auto to = std::find_if(from, whole.points.end(), [](const Vector3d& p) { return p.x() > 1450.0; });
+    const auto first = from - whole.points.begin(), last = to - whole.points.begin();
+    const SmoothAxes all = smoothAxes(whole.points, whole.wanted, options);
+    const SmoothAxes piece = smoothAxes({from, to}, {whole.wanted.begin() + first, whole.wanted.begin() + last}, options);
+    EXPECT_GT(all.largest_deviation, options.max_deviation);
+    std::size_t compared = 0;
+    for (auto i = first; i < last; ++i)
+      if (const double x = whole.points[i].x(); x > 750.0 && x < 1350.0) {
+        ASSERT_LT(angleBetween(all.axes[i], piece.axes[i - first]), 1e-12) << "step at " << place << ", axis at " << x;
+        ++compared;
+      }
+    EXPECT_GT(compared, 2000u);
+  }
+}
+
 TEST(SmoothAxes, PointsAtOnePlaceShareAnAxis)
 {
   TestPath path = straightPath(

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <memory>
 
 namespace pcl_spiral {
 namespace {
@@ -17,14 +19,30 @@ constexpr double closest_knots = 1.0 / 300.0; // of the smoothing length; keeps 
 constexpr int most_rounds = 20;               // of weighting
 constexpr double near_enough = 1.05;          // of the deviation allowed
 
+// What lies farther away has no part in a double. Over d a change of the spline fades by exp(-d / (sqrt(2) length)), of a mean by
+// exp(-d / length): by 1e-17 over 55.4 and 39.2 lengths. Where knots are farther apart than the length, from one to the next by 0.27.
+constexpr double fading = 100.0; // lengths
+constexpr std::size_t fading_knots = 40;
+constexpr double in_part = 10.0;       // fadings that a part is long
+constexpr std::size_t together = 4096; // points of one call
+
 /** The points of a path as knots. Points very near to each other make one knot. */
 struct Knots {
   std::vector<double> at; ///< arc length
   Vectors wanted;
   std::vector<double> weight; ///< length of path that each one represents
 
+  /** The knots from \p first up to \p last of \p all. */
+  Knots(const Knots& all, std::size_t first, std::size_t last)
+  : at(all.at.begin() + static_cast<std::ptrdiff_t>(first), all.at.begin() + static_cast<std::ptrdiff_t>(last)),
+    wanted(all.wanted.begin() + static_cast<std::ptrdiff_t>(first), all.wanted.begin() + static_cast<std::ptrdiff_t>(last)),
+    weight(all.weight.begin() + static_cast<std::ptrdiff_t>(first), all.weight.begin() + static_cast<std::ptrdiff_t>(last))
+  {}
+
   Knots(const std::vector<double>& s, const Vectors& axes, double closest)
   {
+    at.reserve(s.size());
+    wanted.reserve(s.size());
     for (std::size_t begin = 0, end; begin < s.size(); begin = end) {
       double place = 0.0;
       Vector3d sum = Vector3d::Zero();
@@ -37,6 +55,7 @@ struct Knots {
       wanted.push_back(end == begin + 1 ? axes[begin] : Vector3d(sum / count));
     }
     const std::size_t n = at.size();
+    weight.reserve(n);
     for (std::size_t k = 0; k < n; ++k)
       weight.push_back(0.5 * (at[std::min(k + 1, n - 1)] - at[k > 0 ? k - 1 : 0]));
   }
@@ -51,17 +70,23 @@ struct Spline {
   {
     if (at.size() == 1)
       return Vectors(s.size(), value[0]);
-    Vectors result;
-    result.reserve(s.size());
-    std::size_t k = 0;
-    for (const double place : s) {
-      while (k + 2 < at.size() && at[k + 1] <= place)
-        ++k;
-      const double h = at[k + 1] - at[k], ahead = at[k + 1] - place, back = place - at[k];
-      Vector3d v = (back * value[k + 1] + ahead * value[k]) / h;
-      if (back > 0.0 && ahead > 0.0)
-        v -= back * ahead / 6.0 * ((1.0 + back / h) * second[k + 1] + (1.0 + ahead / h) * second[k]);
-      result.push_back(back == 0.0 ? value[k] : v);
+    Vectors result(s.size());
+    const auto blocks = static_cast<std::int64_t>((s.size() + together - 1) / together);
+#pragma omp parallel for schedule(static)
+    for (std::int64_t block = 0; block < blocks; ++block) {
+      const std::size_t begin = static_cast<std::size_t>(block) * together, end = std::min(s.size(), begin + together);
+      auto k = static_cast<std::size_t>(std::upper_bound(at.begin() + 1, at.end() - 1, s[begin]) - at.begin()) - 1;
+      for (std::size_t i = begin; i < end; ++i) {
+        const double place = s[i];
+        while (k + 2 < at.size() && at[k + 1] <= place)
+          ++k;
+        const double h = at[k + 1] - at[k], ahead = at[k + 1] - place, back = place - at[k];
+        result[i] = (back * value[k + 1] + ahead * value[k]) / h;
+        if (back > 0.0 && ahead > 0.0)
+          result[i] -= back * ahead / 6.0 * ((1.0 + back / h) * second[k + 1] + (1.0 + ahead / h) * second[k]);
+        if (back == 0.0)
+          result[i] = value[k];
+      }
     }
     return result;
   }
@@ -159,9 +184,7 @@ public:
   MeanAlong(const Knots& knots, double length)
   : weight_(knots.weight), fade_(knots.at.size() - 1), before_(knots.at.size(), 0.0), after_(knots.at.size(), 0.0)
   {
-    const auto steps = static_cast<std::int64_t>(fade_.size());
-#pragma omp parallel for schedule(static)
-    for (std::int64_t k = 0; k < steps; ++k)
+    for (std::size_t k = 0; k < fade_.size(); ++k)
       fade_[k] = std::exp((knots.at[k] - knots.at[k + 1]) / length);
     whole_.resize(weight_.size());
     double w = 0.0;
@@ -210,6 +233,95 @@ private:
   std::vector<double> before_, after_; ///< sums up to each knot and beyond it
 };
 
+/** A part of a path, solved with as much of the path before and after it as has a part in its numbers. */
+class SmoothedPart {
+public:
+  /** Its knots, from begin up to end, in those with a part in its numbers, from first up to last. */
+  struct Range {
+    std::size_t begin, end, first, last;
+
+    Range(const std::vector<double>& at, std::size_t from, std::size_t to, double length) : begin(from), end(to)
+    {
+      const auto before = std::lower_bound(at.begin(), at.end(), at[begin] - fading * length) - at.begin();
+      const auto after = std::upper_bound(at.begin(), at.end(), at[end - 1] + fading * length) - at.begin();
+      first = std::min(static_cast<std::size_t>(before), begin - std::min(begin, fading_knots));
+      last = std::max(static_cast<std::size_t>(after), std::min(at.size(), end + fading_knots));
+    }
+    /** Whether one of its knots has a mark in \p marked. */
+    bool holds(const std::vector<std::uint8_t>& marked) const { return std::memchr(&marked[first], 1, last - first) != nullptr; }
+  };
+
+  SmoothedPart(const Knots& all, const Range& range, double length)
+  : begin_(range.begin), end_(range.end), first_(range.first), knots_(all, range.first, range.last), spline_(knots_, length),
+    along_(knots_, length), deviations_(knots_.at.size()), means_(knots_.at.size(), 0.0)
+  {}
+
+  /** Solve it again for \p weights, of which those with a mark in \p changed are new. */
+  void solve(const std::vector<double>& weights, const std::vector<std::uint8_t>& changed)
+  {
+    const auto first = static_cast<std::ptrdiff_t>(first_), last = first + static_cast<std::ptrdiff_t>(knots_.at.size());
+    std::vector<std::uint8_t> fresh(knots_.at.size(), 1);
+    if (!solved_.value.empty())
+      fresh.assign(changed.begin() + first, changed.begin() + last);
+    spline_.solve({weights.begin() + first, weights.begin() + last}, fresh, solved_);
+    for (std::size_t k = 0; k < deviations_.size(); ++k)
+      if (fresh[k])
+        deviations_[k] = (solved_.value[k] - knots_.wanted[k]).norm();
+    along_.find(deviations_, fresh, means_);
+  }
+
+  /** Its spline into that of the whole path. */
+  void store(Spline& whole) const
+  {
+    for (std::size_t k = begin_; k < end_; ++k) {
+      whole.value[k] = solved_.value[k - first_];
+      whole.second[k] = solved_.second[k - first_];
+    }
+  }
+
+  /** Whether the mean deviation is above \p most somewhere. */
+  bool exceeds(double most) const
+  {
+    const auto begin = means_.begin() + static_cast<std::ptrdiff_t>(begin_ - first_);
+    return std::any_of(begin, begin + static_cast<std::ptrdiff_t>(end_ - begin_), [most](double mean) { return mean > most; });
+  }
+
+  /** Raises the weights where the mean deviation is above \p most, by as much as needed, otherwise the axis would make a step where this
+   *  begins, and marks them. False if it is far above somewhere. */
+  bool raise(double most, std::vector<double>& weights, std::vector<std::uint8_t>& changed) const
+  {
+    bool kept = true;
+    for (std::size_t k = begin_; k < end_; ++k)
+      if (means_[k - first_] > most) {
+        const double excess = means_[k - first_] / most;
+        kept = kept && excess < near_enough;
+        weights[k] *= excess * excess;
+        changed[k] = 1;
+      }
+    return kept;
+  }
+
+private:
+  std::size_t begin_, end_, first_; ///< first_: index of the first of knots_
+  Knots knots_;
+  SmoothingSpline spline_;
+  MeanAlong along_;
+  Spline solved_;
+  std::vector<double> deviations_, means_;
+};
+
+/** Ends of parts of \p at. */
+std::vector<std::size_t>
+partEnds(const std::vector<double>& at, double length)
+{
+  std::vector<std::size_t> ends;
+  for (std::size_t begin = 0; begin < at.size(); begin = ends.back()) {
+    const auto end = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), at[begin] + in_part * fading * length) - at.begin());
+    ends.push_back(std::min(at.size(), std::max(end, begin + static_cast<std::size_t>(in_part * fading_knots))));
+  }
+  return ends;
+}
+
 } // namespace
 
 Vectors
@@ -218,31 +330,36 @@ splineOfAxes(const std::vector<double>& s, const Vectors& wanted, double length,
   const Knots knots(s, wanted, closest_knots * length);
   if (knots.at.size() < 3)
     return wanted;
-  SmoothingSpline smoothing(knots, length);
-  MeanAlong along(knots, length);
-  std::vector<double> weights = knots.weight, deviations(knots.at.size()), mean(knots.at.size(), 0.0);
+  const std::vector<std::size_t> ends = partEnds(knots.at, length);
+  const auto count = static_cast<std::int64_t>(ends.size());
+  std::vector<std::unique_ptr<SmoothedPart>> parts(ends.size()); // those that exceed the deviation
+  std::vector<double> weights = knots.weight;
   std::vector<std::uint8_t> changed(knots.at.size(), 1);
-  Spline spline;
-  for (int round = 0; round < most_rounds; ++round) {
-    smoothing.solve(weights, changed, spline);
-    for (std::size_t k = 0; k < deviations.size(); ++k)
-      if (changed[k])
-        deviations[k] = (spline.value[k] - knots.wanted[k]).norm();
-    along.find(deviations, changed, mean);
-    bool kept = true;
+  Spline spline{Vectors(knots.at.size()), Vectors(knots.at.size())};
+  bool kept = false;
+  for (int round = 0; round < most_rounds && !kept; ++round) {
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t p = 0; p < count; ++p) {
+      const SmoothedPart::Range range(knots.at, p > 0 ? ends[p - 1] : 0, ends[p], length);
+      if (!range.holds(changed))
+        continue;
+      if (!parts[p])
+        parts[p] = std::make_unique<SmoothedPart>(knots, range, length);
+      parts[p]->solve(weights, changed);
+      parts[p]->store(spline);
+      if (!parts[p]->exceeds(max_deviation))
+        parts[p].reset();
+    }
+    kept = true;
     std::fill(changed.begin(), changed.end(), 0);
-    for (std::size_t k = 0; k < mean.size(); ++k)
-      if (mean[k] > max_deviation) { // by as much as needed; otherwise the axis would make a step where this begins
-        kept = kept && mean[k] < near_enough * max_deviation;
-        const double excess = mean[k] / max_deviation;
-        weights[k] *= excess * excess;
-        changed[k] = 1;
-      }
-    if (kept)
-      break;
+    for (const auto& part : parts)
+      if (part)
+        kept = part->raise(max_deviation, weights, changed) && kept;
   }
   Vectors axes = spline.values(knots.at, s);
-  for (std::size_t i = 0; i < axes.size(); ++i)
+  const auto points = static_cast<std::int64_t>(axes.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < points; ++i)
     axes[i] = axes[i].norm() > 1e-3 ? Vector3d(axes[i].normalized()) : wanted[i];
   return axes;
 }
