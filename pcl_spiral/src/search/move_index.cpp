@@ -10,6 +10,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double longest_piece = 2.0; // in mean lengths: at most half as many pieces again as segments
+constexpr std::size_t alone = 4096;   // pieces that one thread puts into boxes
 
 } // namespace
 
@@ -23,11 +24,11 @@ MoveIndex::MoveIndex(const Polyline& line) : line_(line)
   origin_ = box.center();
   slack_ = 4e-7 * box.diagonal().norm();
   std::vector<Piece> all = pieces();
-  boxes_.reserve(2 * all.size());
-  next_.reserve(2 * all.size());
-  boxes_.emplace_back();
-  next_.emplace_back();
-  build(all, 0, all.size(), 0);
+  boxes_.resize(2 * all.size() - 1);
+  next_.resize(2 * all.size() - 1);
+#pragma omp parallel if (all.size() > alone)
+#pragma omp single
+  build(all, 0, all.size(), 0, 1);
 }
 
 std::vector<MoveIndex::Piece>
@@ -54,8 +55,9 @@ MoveIndex::pieces() const
   return result;
 }
 
+/** \p free: index of the first of the boxes for what is below this node, two for each piece but one. */
 void
-MoveIndex::build(std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node)
+MoveIndex::build(std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node, std::size_t free)
 {
   Box4 box = pieces[first].box, middles;
   middles.low.fill(1e30f);
@@ -82,12 +84,10 @@ MoveIndex::build(std::vector<Piece>& pieces, std::size_t first, std::size_t last
   std::nth_element(
       begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(half), begin + static_cast<std::ptrdiff_t>(last),
       [axis](const Piece& a, const Piece& b) { return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis]; });
-  const std::size_t child = boxes_.size();
-  next_[node] = static_cast<std::uint32_t>(child);
-  boxes_.resize(child + 2);
-  next_.resize(child + 2);
-  build(pieces, first, half, child);
-  build(pieces, half, last, child + 1);
+  next_[node] = static_cast<std::uint32_t>(free);
+#pragma omp task shared(pieces) if (half - first > alone)
+  build(pieces, first, half, free, free + 2);
+  build(pieces, half, last, free + 1, free + 2 * (half - first));
 }
 
 bool

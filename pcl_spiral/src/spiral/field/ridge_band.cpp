@@ -31,9 +31,12 @@ RidgeBand::RidgeBand(const StepOverDistance& field) : field_(field)
   for (std::uint32_t v = 0; v < field.mesh.size(); ++v)
     if (field.is_fine[v])
       nodes_.push_back(v);
-  std::sort(nodes_.begin(), nodes_.end(), [&field](std::uint32_t a, std::uint32_t b) {
-    return std::make_pair(field.distance[a], a) < std::make_pair(field.distance[b], b);
-  });
+  std::vector<std::pair<double, std::uint32_t>> by_distance;
+  by_distance.reserve(nodes_.size());
+  for (const std::uint32_t v : nodes_)
+    by_distance.emplace_back(field.distance[v], v);
+  std::sort(by_distance.begin(), by_distance.end());
+  std::transform(by_distance.begin(), by_distance.end(), nodes_.begin(), [](const auto& node) { return node.second; });
   findNear();
   findAbout();
 }
@@ -43,9 +46,17 @@ RidgeBand::findNear()
 {
   is_near_ = field_.is_fine;
   std::vector<float> reached(field_.mesh.size(), std::numeric_limits<float>::infinity());
-  std::vector<std::uint32_t> queue = nodes_; // each node as often as a shorter way to it is found
-  for (const std::uint32_t v : nodes_)
-    reached[v] = 0.0f;
+  std::vector<std::uint32_t> queue; // each node as often as a shorter way to it is found
+  std::vector<std::uint8_t> starts(nodes_.size(), 0);
+  const auto count = static_cast<std::int64_t>(nodes_.size());
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t i = 0; i < count; ++i)
+    forNeighbours(field_.mesh.triangles, nodes_[i], [&](std::uint32_t w) { starts[i] = starts[i] || !field_.is_fine[w]; });
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (starts[i]) {
+      reached[nodes_[i]] = 0.0f;
+      queue.push_back(nodes_[i]);
+    }
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const std::uint32_t v = queue[i];
     const float walked = reached[v];

@@ -92,7 +92,7 @@ private:
     return static_cast<float>(wide * wide);
   }
   std::vector<Piece> pieces() const;
-  void build(std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node);
+  void build(std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node, std::size_t free);
 
   const Polyline& line_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
