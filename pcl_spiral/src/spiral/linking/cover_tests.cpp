@@ -3,10 +3,13 @@
 
 #include "common/stoppable_loop.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -18,13 +21,23 @@ constexpr double watch_reach = 1.6;    // test points this near to an uncovered 
 constexpr double search_within = 1.5;  // step-overs
 constexpr std::uint32_t none = 0xffffffffu;
 constexpr std::size_t none_near = NearestSegment::none;
+constexpr std::size_t together = 128; // tests that look first where the one before found something; the same for any number of threads
 
-/** Cut a triangle into \p parts * \p parts and add the middle of each. \p segments: near its corners. */
+/** A triangle whose parts are tested. */
+struct TestedTriangle {
+  std::uint32_t triangle, parts;    ///< it is cut into parts * parts
+  std::size_t first;                ///< index of the first test
+  std::array<std::size_t, 3> seeds; ///< segments near its corners
+};
+
+/** Tests in the middle of each part of \p tested. */
 void
-addTriangle(const StepOverMesh& mesh, std::size_t triangle, int parts, const std::array<std::size_t, 3>& segments, CoverTests& tests)
+setTests(const StepOverMesh& mesh, const TestedTriangle& tested, CoverTests& tests)
 {
-  const auto& c = mesh.triangles.triangle(triangle);
-  const auto add = [&](double a, double b) {
+  const auto& c = mesh.triangles.triangle(tested.triangle);
+  const auto parts = static_cast<double>(tested.parts);
+  std::size_t next = tested.first;
+  const auto set = [&](double a, double b) {
     const double w[3] = {a / parts, b / parts, 1.0 - (a + b) / parts};
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     StepOverMetric m;
@@ -32,31 +45,91 @@ addTriangle(const StepOverMesh& mesh, std::size_t triangle, int parts, const std
       p += w[i] * mesh.positions[c[i]];
       m += mesh.metric[c[i]].times(w[i]);
     }
-    tests.add(p, m, segments[std::max_element(w, w + 3) - w]);
+    tests.points[next] = p;
+    tests.metric[next] = m;
+    tests.seeds[next++] = tested.seeds[std::max_element(w, w + 3) - w];
   };
-  for (int i = 0; i < parts; ++i)
-    for (int j = 0; i + j < parts; ++j) {
-      add(i + 1.0 / 3.0, j + 1.0 / 3.0);
-      if (i + j + 1 < parts)
-        add(i + 2.0 / 3.0, j + 2.0 / 3.0);
+  for (std::uint32_t i = 0; i < tested.parts; ++i)
+    for (std::uint32_t j = 0; i + j < tested.parts; ++j) {
+      set(i + 1.0 / 3.0, j + 1.0 / 3.0);
+      if (i + j + 1 < tested.parts)
+        set(i + 2.0 / 3.0, j + 2.0 / 3.0);
     }
 }
+
+/** Places among \p tests, to find out whether others are within reach of one. */
+class NearPlaces {
+public:
+  NearPlaces(const CoverTests& tests, std::vector<std::size_t> places) : tests_(tests), places_(std::move(places))
+  {
+    std::vector<Eigen::Vector3f> points;
+    for (const std::size_t i : places_)
+      points.push_back(tests.points[i].cast<float>());
+    if (!points.empty())
+      blocks_ = PointBlocks(std::move(points));
+  }
+
+  /** Whether \p test is near one. \p last: the place found before, which is looked at first. */
+  bool isNear(std::size_t test, std::size_t& last) const
+  {
+    constexpr double rounding = 1e-3; // of the reach: more than that of the blocks
+    const Eigen::Vector3d& p = tests_.points[test];
+    const StepOverMetric& metric = tests_.metric[test];
+    const auto reaches = [&](std::size_t place) { return metric.length(p - tests_.points[place]) < watch_reach; };
+    if (places_.empty())
+      return false;
+    if (last != none_near && reaches(last))
+      return true;
+    const Eigen::Vector3f q = p.cast<float>();
+    const auto reach = static_cast<float>((1.0 + rounding) * watch_reach * longestStepOver(metric));
+    bool found = false;
+    blocks_.forBlocks([&](const Box& box) { return !found && box.squaredDistance(q.data()) <= reach * reach; },
+                      [&](std::size_t block) {
+                        for (std::size_t b = blocks_.blockBegin(block); !found && b < blocks_.blockEnd(block); ++b)
+                          if (const std::size_t place = places_[blocks_.originalIndex(b)]; reaches(place)) {
+                            last = place;
+                            found = true;
+                          }
+                      });
+    return found;
+  }
+
+private:
+  const CoverTests& tests_;
+  std::vector<std::size_t> places_;
+  PointBlocks blocks_;
+};
 
 } // namespace
 
 void
-CoverTests::add(const Eigen::Vector3d& p, const StepOverMetric& m, std::size_t seed)
+CoverTests::add(const Eigen::Vector3d& p, const StepOverMetric& m)
 {
   points.push_back(p);
   metric.push_back(m);
-  seeds.push_back(seed);
+  seeds.push_back(NearestSegment::none);
+}
+
+void
+CoverTests::reserve(std::size_t size)
+{
+  points.reserve(size);
+  metric.reserve(size);
+  seeds.reserve(size);
+}
+
+void
+CoverTests::resize(std::size_t size)
+{
+  points.resize(size);
+  metric.resize(size);
+  seeds.resize(size, NearestSegment::none);
 }
 
 /** Neighbours in the order of the tests are near each other: a walk along the path from where they are nearest is often enough. */
 bool
 CoverTests::measure(const SegmentSet& lines, std::size_t first, double exact, const std::function<bool(double)>& progress)
 {
-  constexpr std::size_t together = 128; // tests that begin their walks where the last one ended; the same for any number of threads
   nearest.resize(points.size());
   const auto blocks = static_cast<std::int64_t>((points.size() - first + together - 1) / together);
   const auto measureBlock = [&](std::int64_t block) {
@@ -108,6 +181,7 @@ coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentS
   const StepOverMesh& mesh = field.mesh;
   tests = CoverTests();
   std::vector<std::uint32_t> index(mesh.size(), none);
+  tests.reserve(static_cast<std::size_t>(std::count_if(field.is_fine.begin(), field.is_fine.end(), [](auto fine) { return fine != 0; })));
   for (std::uint32_t v = 0; v < mesh.size(); ++v)
     if (field.is_fine[v]) {
       index[v] = static_cast<std::uint32_t>(tests.size());
@@ -116,19 +190,32 @@ coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentS
   if (!tests.measure(line, 0, suspect, partOf(progress, 0.0, 0.5, "coverage")))
     return false;
   const std::size_t nodes = tests.size();
-  const int coarse_parts = std::max(1, static_cast<int>(std::ceil(4.0 * field.usual_edge)));
+  const auto coarse_parts = static_cast<std::uint32_t>(std::max(1, static_cast<int>(std::ceil(4.0 * field.usual_edge))));
+  std::vector<TestedTriangle> tested;
+  std::size_t count = nodes;
+  const auto test = [&](std::size_t triangle, std::uint32_t parts, const std::array<std::size_t, 3>& seeds) {
+    tested.push_back({static_cast<std::uint32_t>(triangle), parts, count, seeds});
+    count += parts * parts;
+  };
   for (std::size_t t = 0; t < mesh.triangles.triangleCount(); ++t) {
     const auto& c = mesh.triangles.triangle(t);
     if (index[c[0]] == none || index[c[1]] == none || index[c[2]] == none) {
       if (field.is_weak[t])
-        addTriangle(mesh, t, coarse_parts, {none_near, none_near, none_near}, tests);
+        test(t, coarse_parts, {none_near, none_near, none_near});
     }
     else {
       const NearestSegment &a = tests.nearest[index[c[0]]], &b = tests.nearest[index[c[1]]], &d = tests.nearest[index[c[2]]];
       if (std::max({a.distance, b.distance, d.distance}) > suspect)
-        addTriangle(mesh, t, 2, {a.segment, b.segment, d.segment}, tests);
+        test(t, 2, {a.segment, b.segment, d.segment});
     }
   }
+  tests.reserve(count + path.links.size());
+  tests.resize(count);
+  const auto triangles = static_cast<std::int64_t>(tested.size());
+#pragma omp parallel for schedule(dynamic, 1024)
+  for (std::int64_t k = 0; k < triangles; ++k)
+    setTests(mesh, tested[k], tests);
+  std::vector<TestedTriangle>().swap(tested);
   for (std::size_t i = 0; i < path.links.size(); ++i)
     tests.add(path.links[i], path.link_metric[i]);
   const bool whole = tests.measure(line, nodes, covered, partOf(progress, 0.5, 1.0, "coverage"));
@@ -140,27 +227,26 @@ bool
 testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places, const SegmentSet& line,
              const std::vector<std::uint8_t>& moves, const ProgressCallback& progress, std::vector<std::size_t>& watched)
 {
-  SegmentSet all, deep;
-  for (const std::size_t i : places) {
-    all.add({tests.points[i]}, false);
-    if (tests.nearest[i].distance > deep_place)
-      deep.add({tests.points[i]}, false);
-  }
-  all.build();
-  deep.build();
-  const auto isNear = [&](const SegmentSet& set, std::size_t i) {
-    return set.nearest(tests.points[i], tests.metric[i], watch_reach, NearestSegment::none, watch_reach).segment != NearestSegment::none;
-  };
+  std::vector<std::size_t> deep_places;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(deep_places),
+               [&tests](std::size_t i) { return tests.nearest[i].distance > deep_place; });
+  const NearPlaces all(tests, places), deep(tests, std::move(deep_places));
   const auto mayMove = [&](const NearestSegment& near) {
     const std::size_t s = line.label(near.segment) + line.place(near.segment);
     return moves[s] != 0 || moves[s + 1] != 0;
   };
   std::vector<std::uint8_t> chosen(tests.size(), 0);
-  const bool whole = stoppableLoop(0, static_cast<std::int64_t>(tests.size()), partOf(progress, 0.0, 1.0, "coverage"), [&](std::int64_t i) {
-    const NearestSegment& near = tests.nearest[i];
-    chosen[i] = near.distance > covered ||
-                (mayMove(near) && ((near.distance >= least_watched && isNear(all, i)) || (!deep.empty() && isNear(deep, i))));
-  });
+  const auto blocks = static_cast<std::int64_t>((tests.size() + together - 1) / together);
+  const auto chooseBlock = [&](std::int64_t block) {
+    const std::size_t begin = static_cast<std::size_t>(block) * together;
+    std::size_t last = none_near, last_deep = none_near;
+    for (std::size_t i = begin; i < std::min(tests.size(), begin + together); ++i) {
+      const NearestSegment& near = tests.nearest[i];
+      chosen[i] = near.distance > covered ||
+                  (mayMove(near) && ((near.distance >= least_watched && all.isNear(i, last)) || deep.isNear(i, last_deep)));
+    }
+  };
+  const bool whole = stoppableLoop(0, blocks, partOf(progress, 0.0, 1.0, "coverage"), chooseBlock, together);
   watched.clear();
   for (std::size_t i = 0; i < tests.size(); ++i)
     if (chosen[i])

@@ -28,7 +28,9 @@ struct CoverTests {
   std::vector<NearestSegment> nearest; ///< from the path, at most 1.5; upper limits where that is enough, see measure
 
   std::size_t size() const { return points.size(); }
-  void add(const Eigen::Vector3d& p, const StepOverMetric& m, std::size_t seed = NearestSegment::none);
+  void add(const Eigen::Vector3d& p, const StepOverMetric& m);
+  void reserve(std::size_t size);
+  void resize(std::size_t size);
   /** Measure the distances, from index \p first on: those that are more than \p exact, and upper limits of the others. Returns false if
    *  \p progress cancels. */
   bool measure(const SegmentSet& lines, std::size_t first, double exact, const std::function<bool(double)>& progress);

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <utility>
 
 namespace pcl_spiral {
@@ -102,8 +103,8 @@ private:
 bool
 Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figures)
 {
-  const SegmentSet line = passLines(path_);
-  if (!coverTests(field_, path_, line, partOf(progress, 0.0, 0.4), tests_))
+  auto line = std::make_unique<SegmentSet>(passLines(path_)); // not beside movingLines, which is as large
+  if (!coverTests(field_, path_, *line, partOf(progress, 0.0, 0.4), tests_))
     return false;
   figures.farthest_before = covered;
   std::vector<std::size_t> places;
@@ -117,9 +118,9 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
   if (places.empty())
     return true;
   std::vector<std::uint8_t> near(path_.points.size() + 1, 0); // the segment of a single point has a second end
-  findNear(line, places, near);
+  findNear(*line, places, near);
   std::vector<std::size_t> watched, dense;
-  if (!testsToWatch(tests_, places, line, near, partOf(progress, 0.4, 1.0), watched))
+  if (!testsToWatch(tests_, places, *line, near, partOf(progress, 0.4, 1.0), watched))
     return false;
   densify(near, held, grain, path_, near_, moves_, dense);
   shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
@@ -131,13 +132,14 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
     at.distance = nearest.distance;
     at.test = static_cast<std::uint32_t>(i);
     if (nearest.segment != NearestSegment::none) {
-      const std::size_t s = line.label(nearest.segment) + line.place(nearest.segment), parts = dense[s + 1] - dense[s];
+      const std::size_t s = line->label(nearest.segment) + line->place(nearest.segment), parts = dense[s + 1] - dense[s];
       const auto part = std::min(parts - 1, static_cast<std::size_t>(nearest.share * static_cast<double>(parts)));
       at.segment = dense[s] + part;
     }
     watched_.push_back(at);
   }
   std::vector<NearestSegment>().swap(tests_.nearest);
+  line.reset();
   lines_ = movingLines();
   return true;
 }
