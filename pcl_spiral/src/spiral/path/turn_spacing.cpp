@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "turn_spacing.h"
 
+#include "core/move_cells.h"
+
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -25,77 +26,20 @@ struct Nearest {
   bool operator<(const Nearest& other) const { return distance < other.distance || (distance == other.distance && point < other.point); }
 };
 
-double
-distanceFromMove(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  const Eigen::Vector3d d = b - a, m = p - a;
-  const double length = d.squaredNorm();
-  return (m - (length > 0.0 ? std::clamp(m.dot(d) / length, 0.0, 1.0) : 0.0) * d).norm();
-}
-
-/** The moves of a path by the cells of a lattice that they run through. Cells share buckets through a hash, which costs only visits. */
-class MoveCells {
+/** How far a point is from a move. */
+class MoveDistance {
 public:
-  /** \p wanted: one entry a point, 1 where the move from it counts. \p width: of a cell, mm. */
-  MoveCells(const Polyline& path, const std::vector<std::uint8_t>& wanted, double width) : width_(width)
-  {
-    std::size_t buckets = 1;
-    while (buckets < path.size())
-      buckets *= 2;
-    mask_ = buckets - 1;
-    begin_.assign(buckets + 1, 0);
-    forMoves(path, wanted, [&](std::size_t, std::size_t bucket) { ++begin_[bucket]; });
-    std::uint32_t before = 0;
-    for (std::uint32_t& entry : begin_)
-      entry = before += entry;
-    moves_.resize(before);
-    forMoves(path, wanted, [&](std::size_t move, std::size_t bucket) { moves_[--begin_[bucket]] = static_cast<std::uint32_t>(move); });
-  }
+  MoveDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& p)
+  : along_(b - a), from_(p - a), length_(along_.squaredNorm()), at_(from_.dot(along_))
+  {}
 
-  /** Call \p visit(move) for all moves within \p radius of \p p, and others; for some more than once. */
-  template <typename Visit>
-  void forNear(const Eigen::Vector3d& p, double radius, Visit visit) const
-  {
-    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius);
-    forBuckets(p - reach, p + reach, [&](std::size_t bucket) {
-      for (std::uint32_t k = begin_[bucket]; k < begin_[bucket + 1]; ++k)
-        visit(moves_[k]);
-    });
-  }
+  /** Whether the line through the move is farther than \p distance; without a division. */
+  bool isBeyond(double distance) const { return (from_.squaredNorm() - distance * distance) * length_ > at_ * at_; }
+  double distance() const { return (from_ - (length_ > 0.0 ? std::clamp(at_ / length_, 0.0, 1.0) : 0.0) * along_).norm(); }
 
 private:
-  template <typename Visit>
-  void forMoves(const Polyline& path, const std::vector<std::uint8_t>& wanted, Visit visit) const
-  {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      if (!wanted[i])
-        continue;
-      const Eigen::Vector3d along = path[i + 1] - path[i];
-      const int pieces = 1 + static_cast<int>(along.norm() / width_); // a long move runs through few of the cells in its box
-      for (int k = 0; k < pieces; ++k) {
-        const Eigen::Vector3d a = path[i] + static_cast<double>(k) / pieces * along;
-        const Eigen::Vector3d b = k + 1 == pieces ? path[i + 1] : Eigen::Vector3d(path[i] + static_cast<double>(k + 1) / pieces * along);
-        forBuckets(a.cwiseMin(b), a.cwiseMax(b), [&](std::size_t bucket) { visit(i, bucket); });
-      }
-    }
-  }
-  template <typename Visit>
-  void forBuckets(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit visit) const
-  {
-    std::array<std::int64_t, 3> first, last;
-    for (int d = 0; d < 3; ++d) {
-      first[d] = static_cast<std::int64_t>(std::floor(low[d] / width_));
-      last[d] = static_cast<std::int64_t>(std::floor(high[d] / width_));
-    }
-    for (std::int64_t z = first[2]; z <= last[2]; ++z)
-      for (std::int64_t y = first[1]; y <= last[1]; ++y)
-        for (std::int64_t x = first[0]; x <= last[0]; ++x)
-          visit((static_cast<std::size_t>(x) + 73856093u * static_cast<std::size_t>(y) + 19349663u * static_cast<std::size_t>(z)) & mask_);
-  }
-
-  double width_;
-  std::size_t mask_ = 0;
-  std::vector<std::uint32_t> begin_, moves_; ///< moves of bucket b: from begin_[b] to begin_[b + 1]
+  Eigen::Vector3d along_, from_;
+  double length_, at_;
 };
 
 } // namespace
@@ -114,7 +58,8 @@ closestTurns(const SpiralPath& path, const std::vector<std::uint8_t>& counted, c
     wanted[i] = counted[i] && counted[i + 1] && !beginsPass(path.passes, i + 1);
     length += (contacts[i + 1] - contacts[i]).norm();
   }
-  const MoveCells cells(contacts, wanted, std::max(moves_a_cell * length / static_cast<double>(contacts.size()), reaches_a_cell * within));
+  const auto counts = [&wanted](std::size_t move) { return wanted[move] != 0; };
+  const MoveCells cells(contacts, counts, std::max(moves_a_cell * length / static_cast<double>(contacts.size()), reaches_a_cell * within));
   Nearest least;
   least.distance = within;
   const auto count = static_cast<std::int64_t>(contacts.size());
@@ -129,10 +74,15 @@ closestTurns(const SpiralPath& path, const std::vector<std::uint8_t>& counted, c
         if (!counted[i])
           continue;
         const Eigen::Vector3d& place = contacts[i];
-        cells.forNear(place, mine.distance * (1.0 + rounding), [&](std::uint32_t move) {
-          if (std::abs(along[move] - along[i]) < apart || std::abs(along[move + 1] - along[i]) < apart)
-            return;
-          mine = std::min(mine, {distanceFromMove(place, contacts[move], contacts[move + 1]), static_cast<std::size_t>(i)});
+        const Eigen::Vector3d reach = Eigen::Vector3d::Constant(mine.distance * (1.0 + rounding));
+        cells.forBuckets(place - reach, place + reach, [&](const std::uint32_t* first, const std::uint32_t* last) {
+          for (const std::uint32_t* move = first; move != last; ++move) {
+            const MoveDistance from(contacts[*move], contacts[*move + 1], place);
+            if (from.isBeyond(mine.distance * (1.0 + rounding)) || std::abs(along[*move] - along[i]) < apart ||
+                std::abs(along[*move + 1] - along[i]) < apart)
+              continue;
+            mine = std::min(mine, {from.distance(), static_cast<std::size_t>(i)});
+          }
         });
       }
 #pragma omp critical(pcl_spiral_closest_turns)

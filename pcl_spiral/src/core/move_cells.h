@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  The moves of a path by the cells of a lattice.
+ */
+#pragma once
+
+#include <pcl_spiral/core/polyline.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** The moves of a path by the cells that they run through. Cells share buckets through a hash: a bucket holds moves of other cells too.
+ *  About twenty bytes a move of about the width of a cell. */
+class MoveCells {
+public:
+  /** Moves i, from point i of \p path to the next, of which \p holds(i) is true. \p width: of a cell, mm. */
+  template <typename Holds>
+  MoveCells(const Polyline& path, const Holds& holds, double width) : width_(width)
+  {
+    std::size_t buckets = 1;
+    while (buckets < path.size())
+      buckets *= 2;
+    mask_ = buckets - 1;
+    std::vector<std::atomic<std::uint32_t>> ends(buckets);
+    forMoves(path, holds, [&](std::size_t, std::size_t bucket) { ends[bucket].fetch_add(1, std::memory_order_relaxed); });
+    begin_.resize(buckets + 1);
+    std::uint32_t before = 0;
+    for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
+      begin_[bucket] = before;
+      before += ends[bucket].load(std::memory_order_relaxed);
+      ends[bucket].store(begin_[bucket], std::memory_order_relaxed);
+    }
+    begin_[buckets] = before;
+    moves_.resize(before);
+    forMoves(path, holds, [&](std::size_t move, std::size_t bucket) {
+      moves_[ends[bucket].fetch_add(1, std::memory_order_relaxed)] = static_cast<std::uint32_t>(move);
+    });
+    const auto count = static_cast<std::int64_t>(buckets);
+#pragma omp parallel for schedule(static)
+    for (std::int64_t bucket = 0; bucket < count; ++bucket) // threads fill a bucket in any order
+      std::sort(moves_.begin() + begin_[bucket], moves_.begin() + begin_[bucket + 1]);
+  }
+
+  /** Call \p visit(first, last) with the moves of each bucket with a cell that the box from \p low to \p high touches, in rising order. */
+  template <typename Visit>
+  void forBuckets(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit visit) const
+  {
+    forCells(low, high, [&](std::size_t bucket) { visit(moves_.data() + begin_[bucket], moves_.data() + begin_[bucket + 1]); });
+  }
+
+private:
+  template <typename Holds, typename Visit>
+  void forMoves(const Polyline& path, const Holds& holds, Visit visit) const
+  {
+    const auto moves = static_cast<std::int64_t>(path.size()) - 1;
+#pragma omp parallel for schedule(static)
+    for (std::int64_t i = 0; i < moves; ++i) {
+      if (!holds(static_cast<std::size_t>(i)))
+        continue;
+      const Eigen::Vector3d along = path[i + 1] - path[i];
+      const int pieces = 1 + static_cast<int>(along.norm() / width_); // a long move runs through few of the cells in its box
+      for (int k = 0; k < pieces; ++k) {
+        const Eigen::Vector3d a = path[i] + static_cast<double>(k) / pieces * along;
+        const Eigen::Vector3d b = k + 1 == pieces ? path[i + 1] : Eigen::Vector3d(path[i] + static_cast<double>(k + 1) / pieces * along);
+        forCells(a.cwiseMin(b), a.cwiseMax(b), [&](std::size_t bucket) { visit(static_cast<std::size_t>(i), bucket); });
+      }
+    }
+  }
+  template <typename Visit>
+  void forCells(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit visit) const
+  {
+    std::array<std::int64_t, 3> first, last;
+    for (int d = 0; d < 3; ++d) {
+      first[d] = static_cast<std::int64_t>(std::floor(low[d] / width_));
+      last[d] = static_cast<std::int64_t>(std::floor(high[d] / width_));
+    }
+    for (std::int64_t z = first[2]; z <= last[2]; ++z)
+      for (std::int64_t y = first[1]; y <= last[1]; ++y)
+        for (std::int64_t x = first[0]; x <= last[0]; ++x)
+          visit((static_cast<std::size_t>(x) + 73856093u * static_cast<std::size_t>(y) + 19349663u * static_cast<std::size_t>(z)) & mask_);
+  }
+
+  double width_;
+  std::size_t mask_ = 0;
+  std::vector<std::uint32_t> begin_, moves_; ///< moves of bucket b: from begin_[b] to begin_[b + 1]
+};
+
+} // namespace pcl_spiral
