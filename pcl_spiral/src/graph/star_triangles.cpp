@@ -13,6 +13,13 @@ namespace {
 using Triangle = Triangulation::Triangle;
 constexpr std::uint32_t none = Triangulation::none;
 
+/** A number of triangles with those added later. */
+std::size_t
+withRoom(std::size_t count)
+{
+  return count + count / 64;
+}
+
 /** Which corner of the triangle (v, a, b) \p v is; the first corner is the smallest. */
 std::uint32_t
 cornerOf(std::uint32_t v, std::uint32_t a, std::uint32_t b)
@@ -52,23 +59,36 @@ agreedHalfEdges(const StarSet& stars, std::size_t& triangle_count)
   return half_edge;
 }
 
-/** The triangles all corners agree on, and the opposite of each half-edge: neighbours in a star are neighbours in the mesh. */
-void
-joinAgreed(const StarSet& stars, const std::vector<std::uint32_t>& half_edge, std::vector<Triangle>& triangles,
-           std::vector<std::uint32_t>& opposite)
+/** The triangles all corners agree on. */
+std::vector<Triangle>
+agreedTriangles(const StarSet& stars, const std::vector<std::uint32_t>& half_edge, std::size_t count)
 {
+  std::vector<Triangle> triangles;
+  triangles.reserve(withRoom(count));
+  triangles.resize(count);
+  forPoints(stars.size(), [&](std::uint32_t v) {
+    for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot)
+      if (const std::uint32_t own = half_edge[slot]; own != none && own % 3 == 0)
+        triangles[own / 3] = {v, stars.neighbourAt(slot), stars.neighbourAt(stars.slotAfter(v, slot))};
+  });
+  return triangles;
+}
+
+/** The opposite of each half-edge of the \p count triangles all corners agree on: neighbours in a star are neighbours in the mesh. */
+std::vector<std::uint32_t>
+agreedOpposites(const StarSet& stars, const std::vector<std::uint32_t>& half_edge, std::size_t count)
+{
+  std::vector<std::uint32_t> opposite;
+  opposite.reserve(3 * withRoom(count));
+  opposite.resize(3 * count, none);
   forPoints(stars.size(), [&](std::uint32_t v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
-      const std::uint32_t own = half_edge[slot];
-      if (own == none)
-        continue;
-      if (own % 3 == 0)
-        triangles[own / 3] = {v, stars.neighbourAt(slot), stars.neighbourAt(stars.slotAfter(v, slot))};
-      const std::uint32_t before = half_edge[stars.slotBefore(v, slot)];
-      if (before != none) // of (v, z, a), where this one is v - a
+      const std::uint32_t own = half_edge[slot], before = half_edge[stars.slotBefore(v, slot)];
+      if (own != none && before != none) // of (v, z, a), where the own one is v - a
         opposite[own] = Triangulation::previous(before);
     }
   });
+  return opposite;
 }
 
 /** Closes the gaps of slots without a triangle. After this, \p begin is where the half-edges of each point start. */
@@ -178,19 +198,14 @@ pinholeTriangles(const std::vector<Eigen::Vector3f>& points, const Triangulation
 } // namespace
 
 Triangulation
-triangulate(const std::vector<Eigen::Vector3f>& points, const StarSet& stars, int pinhole_edges)
+triangulate(const std::vector<Eigen::Vector3f>& points, StarSet stars, int pinhole_edges)
 {
   std::size_t count = 0;
   std::vector<std::uint32_t> half_edge = agreedHalfEdges(stars, count);
-  const std::size_t room = count + count / 64; // for those added later
-  std::vector<Triangle> triangles;
-  triangles.reserve(room);
-  triangles.resize(count);
-  std::vector<std::uint32_t> opposite, outgoing_begin;
-  opposite.reserve(3 * room);
-  opposite.resize(3 * count, none);
-  joinAgreed(stars, half_edge, triangles, opposite);
+  std::vector<Triangle> triangles = agreedTriangles(stars, half_edge, count);
   const std::vector<Candidate> disputed = disputedTriangles(points, stars, half_edge);
+  std::vector<std::uint32_t>().swap(stars.spokes); // not beside the opposites
+  std::vector<std::uint32_t> opposite = agreedOpposites(stars, half_edge, count), outgoing_begin;
   compact(stars, half_edge, outgoing_begin);
   Triangulation mesh(std::move(triangles), std::move(opposite), std::move(outgoing_begin), std::move(half_edge));
   mesh.append(settle(disputed, mesh));

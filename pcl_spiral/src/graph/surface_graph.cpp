@@ -213,7 +213,7 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
     part += area * normals_[i].cast<double>().homogeneous();
   });
   mean_normal_ = sum.head<3>() / sum.w();
-  triangulation_ = triangulate(blocks_.points(), stars, pinhole_edges);
+  triangulation_ = triangulate(blocks_.points(), std::move(stars), pinhole_edges);
   removeUnseenSteps({blocks_, normals_, radii_, static_cast<float>(evenSpacing(1.0, neighbours_))}, triangulation_);
   return Status::success();
 }

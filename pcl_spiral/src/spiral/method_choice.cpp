@@ -33,9 +33,7 @@ SurfaceGraph
 coarseGraph(const Surface& surface, double area)
 {
   const SurfaceGraph& graph = surface.graph();
-  std::vector<Eigen::Vector3f> points(graph.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points[i] = graph.position(i).cast<float>();
+  const std::vector<Eigen::Vector3f>& points = graph.blocks().points();
   SurfaceGraphOptions options;
   std::vector<Eigen::Vector3f> kept;
   for (const std::uint32_t i : voxelRepresentatives(points, std::sqrt(area / static_cast<double>(most_points)))) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
 
+#include "common/freed_memory.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -220,6 +222,7 @@ SpiralCurve::knots() const
     }
     std::vector<Knot>().swap(part);
   }
+  returnFreedMemory();
   return all;
 }
 
