@@ -46,7 +46,8 @@ RidgeBand::findNear()
 {
   is_near_ = field_.is_fine;
   std::vector<float> reached(field_.mesh.size(), std::numeric_limits<float>::infinity());
-  std::vector<std::uint32_t> queue; // each node as often as a shorter way to it is found
+  std::vector<std::uint32_t> queue; // a node again when a shorter way to it is found, but once at a time
+  std::vector<std::uint8_t> waits(field_.mesh.size(), 0);
   std::vector<std::uint8_t> starts(nodes_.size(), 0);
   const auto count = static_cast<std::int64_t>(nodes_.size());
 #pragma omp parallel for schedule(static, 4096)
@@ -60,6 +61,7 @@ RidgeBand::findNear()
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const std::uint32_t v = queue[i];
     const float walked = reached[v];
+    waits[v] = 0;
     forNeighbours(field_.mesh.triangles, v, [&](std::uint32_t w) {
       if (field_.is_fine[w])
         return;
@@ -68,8 +70,10 @@ RidgeBand::findNear()
         return;
       reached[w] = there;
       is_near_[w] = 1; // the first beyond the reach too: it ends an edge that begins within
-      if (there < near_band)
+      if (there < near_band && !waits[w]) {
+        waits[w] = 1;
         queue.push_back(w);
+      }
     });
   }
 }

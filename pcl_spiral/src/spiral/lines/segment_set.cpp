@@ -71,4 +71,17 @@ SegmentSet::along(const Eigen::Vector3d& p, const StepOverMetric& metric, std::s
   return best;
 }
 
+NearestSegment
+SegmentSet::nearestFrom(std::size_t from, const Eigen::Vector3d& p, const StepOverMetric& metric, double within, double enough) const
+{
+  NearestSegment best;
+  best.distance = within;
+  if (from != NearestSegment::none)
+    best = along(p, metric, from, within);
+  if (best.segment != NearestSegment::none && best.distance < enough)
+    return best;
+  const NearestSegment nearer = nearest(p, metric, best.distance, NearestSegment::none, enough);
+  return nearer.segment != NearestSegment::none ? nearer : best;
+}
+
 } // namespace pcl_spiral

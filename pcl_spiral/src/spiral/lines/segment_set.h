@@ -55,6 +55,9 @@ public:
   /** An upper limit of the distance of \p p, found along a run from \p segment while that gets nearer; no segment, and \p within, if
    *  nothing there is nearer. */
   NearestSegment along(const Eigen::Vector3d& p, const StepOverMetric& metric, std::size_t segment, double within) const;
+  /** The same as nearest, but first along the run from \p from, where the last point was near: often enough for one that follows. */
+  NearestSegment nearestFrom(std::size_t from, const Eigen::Vector3d& p, const StepOverMetric& metric, double within,
+                             double enough = 0.0) const;
   /** Call \p visit(segment) for all segments within \p within step-overs of \p p, and some beyond; a segment may come twice. */
   template <typename Visit>
   void forSegmentsNear(const Eigen::Vector3d& p, const StepOverMetric& metric, double within, Visit visit) const

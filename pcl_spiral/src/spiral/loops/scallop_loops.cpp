@@ -169,11 +169,18 @@ std::vector<double>
 LoopMaker::distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet& lines, double enough) const
 {
   std::vector<double> distances(nodes.size());
-  const auto count = static_cast<std::int64_t>(nodes.size());
-#pragma omp parallel for schedule(dynamic, 256) if (count > 2048)
-  for (std::int64_t i = 0; i < count; ++i)
-    distances[i] =
-        lines.nearest(field_.mesh.positions[nodes[i]], field_.mesh.metric[nodes[i]], search_within, NearestSegment::none, enough).distance;
+  constexpr std::size_t together = 256;
+  const auto blocks = static_cast<std::int64_t>((nodes.size() + together - 1) / together);
+#pragma omp parallel for schedule(dynamic) if (blocks > 8)
+  for (std::int64_t block = 0; block < blocks; ++block) {
+    std::size_t last = NearestSegment::none;
+    for (std::size_t i = block * together; i < std::min(nodes.size(), (block + 1) * together); ++i) {
+      const std::uint32_t v = nodes[i];
+      const NearestSegment near = lines.nearestFrom(last, field_.mesh.positions[v], field_.mesh.metric[v], search_within, enough);
+      distances[i] = near.distance;
+      last = near.segment;
+    }
+  }
   return distances;
 }
 
@@ -268,9 +275,13 @@ LoopMaker::raise(int level, const std::vector<FingerAxis>& axes, const std::vect
     scratch_[v] = 0;
   for (const std::uint32_t v : thin)
     values_[v] = level - std::max(0.05, field_.distance[v] - level);
+  std::size_t last = NearestSegment::none;
   for (const std::uint32_t v : changed) {
     const double over = values_[v] - level, within = std::min(axis_reach, raised_above - over);
-    const double d = lines.nearest(field_.mesh.positions[v], field_.mesh.metric[v], within).distance;
+    const NearestSegment near = lines.nearestFrom(last, field_.mesh.positions[v], field_.mesh.metric[v], within);
+    const double d = near.distance;
+    if (near.segment != NearestSegment::none)
+      last = near.segment;
     if (d < within)
       values_[v] = level + smoothMax(over, finger_radius - d);
   }
