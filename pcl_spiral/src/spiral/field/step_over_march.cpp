@@ -53,13 +53,14 @@ acrossTriangle(double di, double dq, double ij, double qj, double iq)
   return best;
 }
 
-/** The least gain that counts at a node with so many visits. It doubles with each: in thin triangles, nodes correct each other by ever
+/** The least gain that counts at a node, by its visits so far. It doubles with each: in thin triangles, nodes correct each other by ever
  *  less, thousands of times. So a node has at most 24 visits for gains up to a step-over, and one more for each doubling of these. */
-double
-worthAgain(std::uint8_t visits)
-{
-  return std::ldexp(worth_a_step, visits);
-}
+const std::array<double, 256> worth_again = [] {
+  std::array<double, 256> worth{};
+  for (int visits = 0; visits < 256; ++visits)
+    worth[visits] = std::ldexp(worth_a_step, visits);
+  return worth;
+}();
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr MarchedDistances::Side nowhere{Triangulation::none, Triangulation::none};
@@ -105,7 +106,7 @@ public:
       }
       for (std::int64_t p = 0; p < pieces; ++p)
         for (const Way& way : ways_[p])
-          if (way.distance < distance_[way.to] - worthAgain(visits_[way.to])) {
+          if (way.distance < distance_[way.to] - worth_again[visits_[way.to]]) {
             distance_[way.to] = way.distance;
             over_[way.to] = way.over;
             wait(way.to);
@@ -178,7 +179,7 @@ private:
         const std::size_t cj = (ci + step) % 3, cq = 3 - ci - cj;
         const std::uint32_t j = mesh_.triangle(t)[cj], q = mesh_.triangle(t)[cq];
         const double ij = sides_[t][cq], qj = sides_[t][ci], iq = sides_[t][cj];
-        const double dq = distance_[q], enough = distance_[j] - worthAgain(visits_[j]);
+        const double dq = distance_[q], enough = distance_[j] - worth_again[visits_[j]];
         if (!(std::min(d, dq) < enough))
           continue;
         const double reached = std::isfinite(dq) ? acrossTriangle(d, dq, ij, qj, iq) : d + ij;
