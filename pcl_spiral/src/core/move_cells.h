@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,7 +21,7 @@ class MoveCells {
 public:
   /** Moves i, from point i of \p path to the next, of which \p holds(i) is true. \p width: of a cell, mm. */
   template <typename Holds>
-  MoveCells(const Polyline& path, const Holds& holds, double width) : width_(width)
+  MoveCells(const Polyline& path, const Holds& holds, double width) : width_(width), cells_a_mm_(1.0 / width)
   {
     std::size_t buckets = 1;
     while (buckets < path.size())
@@ -78,8 +77,8 @@ private:
   {
     std::array<std::int64_t, 3> first, last;
     for (int d = 0; d < 3; ++d) {
-      first[d] = static_cast<std::int64_t>(std::floor(low[d] / width_));
-      last[d] = static_cast<std::int64_t>(std::floor(high[d] / width_));
+      first[d] = cellAt(low[d]);
+      last[d] = cellAt(high[d]);
     }
     for (std::int64_t z = first[2]; z <= last[2]; ++z)
       for (std::int64_t y = first[1]; y <= last[1]; ++y)
@@ -87,7 +86,14 @@ private:
           visit((static_cast<std::size_t>(x) + 73856093u * static_cast<std::size_t>(y) + 19349663u * static_cast<std::size_t>(z)) & mask_);
   }
 
-  double width_;
+  std::int64_t cellAt(double x) const
+  {
+    const double place = x * cells_a_mm_;
+    const auto cell = static_cast<std::int64_t>(place);
+    return cell - (static_cast<double>(cell) > place); // floor, without a call
+  }
+
+  double width_, cells_a_mm_;
   std::size_t mask_ = 0;
   std::vector<std::uint32_t> begin_, moves_; ///< moves of bucket b: from begin_[b] to begin_[b + 1]
 };
