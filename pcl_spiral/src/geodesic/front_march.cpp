@@ -3,6 +3,7 @@
 
 #include "mesh_walk.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
@@ -12,7 +13,6 @@ constexpr double bucket_width = 0.5; // in spacings
 constexpr std::size_t bucket_count = 256;
 constexpr double least_gain = 1e-6; // in spacings
 constexpr double flattest = 1e4;    // radius in spacings at which a front counts as straight
-constexpr std::size_t piece = 64;   // points of the front that one thread takes at a time
 
 } // namespace
 
@@ -36,19 +36,12 @@ FrontMarch::run()
 {
   while (queue_.pop(front_)) {
     settleFront();
-    const auto pieces = static_cast<std::int64_t>((front_.size() + piece - 1) / piece);
-    if (ways_.size() < static_cast<std::size_t>(pieces))
-      ways_.resize(pieces);
-#pragma omp parallel for schedule(dynamic) if (pieces > 2)
-    for (std::int64_t p = 0; p < pieces; ++p) {
-      ways_[p].clear();
-      for (std::size_t i = p * piece; i < std::min(front_.size(), (p + 1) * piece); ++i)
-        visit(front_[i], ways_[p]);
-    }
-    for (std::int64_t p = 0; p < pieces; ++p)
-      for (const Way& way : ways_[p])
-        if (way.distance < distances_[way.to] - least_gain_)
-          take(way);
+    const auto takeShorter = [this](const Way& way) {
+      if (way.distance < distances_[way.to] - least_gain_)
+        take(way);
+    };
+    round_.run(
+        front_, [this](std::uint32_t v, Ways& ways) { visit(v, ways); }, takeShorter);
   }
   straightenGradients();
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "bucket_queue.h"
+#include "front_round.h"
 
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
@@ -65,7 +66,7 @@ private:
   double least_gain_; ///< mm: smaller improvements are not passed on
   BucketQueue queue_;
   std::vector<std::uint32_t> front_; ///< what settles in this round
-  std::vector<Ways> ways_;           ///< found by each piece of the front
+  FrontRound<Way> round_;
 };
 
 } // namespace pcl_spiral

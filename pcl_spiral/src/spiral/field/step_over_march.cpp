@@ -2,6 +2,7 @@
 #include "step_over_march.h"
 
 #include "geodesic/bucket_queue.h"
+#include "geodesic/front_round.h"
 
 #include <Eigen/Geometry>
 
@@ -15,7 +16,6 @@ namespace {
 
 constexpr double worth_a_step = 1e-7;         // a smaller gain does not count as a shorter way
 constexpr std::size_t visits_a_report = 4096; // from one report of the progress to the next
-constexpr std::size_t piece = 64;             // nodes of a round that one thread takes at a time
 constexpr std::size_t edges_looked_at = 4096; // for their median
 constexpr std::size_t bucket_count = 4096;
 constexpr double bucket_edges = 0.25; // width of a bucket; visits a node on the free form: 1.08, 1.12, 1.21, 1.40 with 0.1, 0.25, 0.5, 1
@@ -87,30 +87,16 @@ public:
   bool run(const std::function<bool(double)>& progress)
   {
     std::size_t visits = 0, reports = 0;
-    while (queue_.pop(round_)) {
+    while (queue_.pop(front_)) {
       settle();
-      visits += round_.size();
+      visits += front_.size();
       if (visits / visits_a_report != reports) {
         reports = visits / visits_a_report;
         if (progress && !progress(std::min(1.0, static_cast<double>(visits) / static_cast<double>(unknown_ + 1))))
           return false;
       }
-      const auto pieces = static_cast<std::int64_t>((round_.size() + piece - 1) / piece);
-      if (ways_.size() < static_cast<std::size_t>(pieces))
-        ways_.resize(pieces);
-#pragma omp parallel for schedule(dynamic) if (pieces > 2)
-      for (std::int64_t p = 0; p < pieces; ++p) {
-        ways_[p].clear();
-        for (std::size_t i = p * piece; i < std::min(round_.size(), (p + 1) * piece); ++i)
-          visit(round_[i], ways_[p]);
-      }
-      for (std::int64_t p = 0; p < pieces; ++p)
-        for (const Way& way : ways_[p])
-          if (way.distance < distance_[way.to] - worth_again[visits_[way.to]]) {
-            distance_[way.to] = way.distance;
-            over_[way.to] = way.over;
-            wait(way.to);
-          }
+      round_.run(
+          front_, [this](std::uint32_t v, std::vector<Way>& ways) { visit(v, ways); }, [this](const Way& way) { take(way); });
     }
     return true;
   }
@@ -152,6 +138,14 @@ private:
     std::nth_element(edges.begin(), middle, edges.end());
     return *middle;
   }
+  void take(const Way& way)
+  {
+    if (!(way.distance < distance_[way.to] - worth_again[visits_[way.to]]))
+      return;
+    distance_[way.to] = way.distance;
+    over_[way.to] = way.over;
+    wait(way.to);
+  }
   void wait(std::uint32_t v)
   {
     waiting_[v] = 1;
@@ -161,13 +155,13 @@ private:
   void settle()
   {
     std::size_t kept = 0;
-    for (const std::uint32_t v : round_)
+    for (const std::uint32_t v : front_)
       if (waiting_[v]) {
         waiting_[v] = 0;
         ++visits_[v];
-        round_[kept++] = v;
+        front_[kept++] = v;
       }
-    round_.resize(kept);
+    front_.resize(kept);
   }
   void visit(std::uint32_t i, std::vector<Way>& ways) const
   {
@@ -197,8 +191,8 @@ private:
   double least_ = 0.0;
   std::size_t unknown_ = 0;
   BucketQueue queue_;
-  std::vector<std::uint32_t> round_;
-  std::vector<std::vector<Way>> ways_; ///< found by each piece of the round
+  std::vector<std::uint32_t> front_; ///< what settles in this round
+  FrontRound<Way> round_;
 };
 
 } // namespace
