@@ -320,6 +320,33 @@ TEST(SmoothAxes, PartsOfALongPathMeetAsIfSolvedAtOnce)
   }
 }
 
+/** The same with points in clusters far apart: a change of the axes goes through the gaps, however long they are. */
+TEST(SmoothAxes, PartsOfAPathInClustersMeetAsIfSolvedAtOnce)
+{
+  constexpr std::size_t clusters = 1000, in_cluster = 60, first = 300, last = 700;
+  const AxisFieldOptions options{1.0, 90.0 * degree, 0.0};
+  for (const double gap : {10.0, 101.0, 300.0}) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> lean(-0.3, 0.3);
+    Polyline points;
+    Vectors wanted;
+    for (std::size_t c = 0; c < clusters; ++c)
+      for (std::size_t i = 0; i < in_cluster; ++i) {
+        points.emplace_back(gap * static_cast<double>(c) + 0.004 * static_cast<double>(i), 0.0, 0.0);
+        wanted.push_back(Vector3d(lean(random), lean(random), 1.0).normalized());
+      }
+    const auto from = static_cast<std::ptrdiff_t>(first * in_cluster), to = static_cast<std::ptrdiff_t>(last * in_cluster);
+    const SmoothAxes all = smoothAxes(points, wanted, options);
+    const SmoothAxes piece =
+        smoothAxes({points.begin() + from, points.begin() + to}, {wanted.begin() + from, wanted.begin() + to}, options);
+    double worst = 0.0;
+    for (std::size_t i = (first + 100) * in_cluster; i < (last - 100) * in_cluster; ++i)
+      worst = std::max(worst, angleBetween(all.axes[i], piece.axes[i - first * in_cluster]));
+    EXPECT_LT(worst, 1e-8) << "gap of " << gap << " lengths"; // the rounding of a badly conditioned system
+    EXPECT_GT(largestAngle(all.axes, wanted), 0.1);
+  }
+}
+
 TEST(SmoothAxes, PointsAtOnePlaceShareAnAxis)
 {
   TestPath path = straightPath(

@@ -19,11 +19,12 @@ constexpr double closest_knots = 1.0 / 300.0; // of the smoothing length; keeps 
 constexpr int most_rounds = 20;               // of weighting
 constexpr double near_enough = 1.05;          // of the deviation allowed
 
-// What lies farther away has no part in a double. Over d a change of the spline fades by exp(-d / (sqrt(2) length)), of a mean by
-// exp(-d / length): by 1e-17 over 55.4 and 39.2 lengths. Where knots are farther apart than the length, from one to the next by 0.27.
-constexpr double fading = 100.0; // lengths
-constexpr std::size_t fading_knots = 40;
-constexpr double in_part = 10.0;       // fadings that a part is long
+// What is far away has no part in a double. From one knot to the next, a change of the spline fades by exp(-step / (sqrt(2) length)),
+// but where steps are much longer than the length by no less than 2 - sqrt(3) = exp(-1.3), as an interpolating spline; a mean by
+// exp(-step / length). To 1e-17, exp(-39), a change thus fades over 39, and through a mean over 28 more.
+constexpr double fading = 70.0;        // sum of step / (sqrt(2) length), each at most steepest
+constexpr double steepest = 1.3;       // from one knot to the next
+constexpr double part_length = 700.0;  // the same sum over a part of a path
 constexpr std::size_t together = 4096; // points of one call
 
 /** The points of a path as knots. Points very near to each other make one knot. */
@@ -240,12 +241,11 @@ public:
   struct Range {
     std::size_t begin, end, first, last;
 
-    Range(const std::vector<double>& at, std::size_t from, std::size_t to, double length) : begin(from), end(to)
+    /** \p faded: by how much a change fades from the first knot to each. */
+    Range(const std::vector<double>& faded, std::size_t from, std::size_t to) : begin(from), end(to)
     {
-      const auto before = std::lower_bound(at.begin(), at.end(), at[begin] - fading * length) - at.begin();
-      const auto after = std::upper_bound(at.begin(), at.end(), at[end - 1] + fading * length) - at.begin();
-      first = std::min(static_cast<std::size_t>(before), begin - std::min(begin, fading_knots));
-      last = std::max(static_cast<std::size_t>(after), std::min(at.size(), end + fading_knots));
+      first = static_cast<std::size_t>(std::lower_bound(faded.begin(), faded.end(), faded[begin] - fading) - faded.begin());
+      last = static_cast<std::size_t>(std::upper_bound(faded.begin(), faded.end(), faded[end - 1] + fading) - faded.begin());
     }
     /** Whether one of its knots has a mark in \p marked. */
     bool holds(const std::vector<std::uint8_t>& marked) const { return std::memchr(&marked[first], 1, last - first) != nullptr; }
@@ -310,15 +310,23 @@ private:
   std::vector<double> deviations_, means_;
 };
 
-/** Ends of parts of \p at. */
+/** By how much a change fades from the first of the knots \p at to each, see fading. */
+std::vector<double>
+fadedAlong(const std::vector<double>& at, double length)
+{
+  std::vector<double> faded(at.size(), 0.0);
+  for (std::size_t k = 1; k < at.size(); ++k)
+    faded[k] = faded[k - 1] + std::min(steepest, (at[k] - at[k - 1]) / (std::sqrt(2.0) * length));
+  return faded;
+}
+
+/** Ends of the parts of a path. */
 std::vector<std::size_t>
-partEnds(const std::vector<double>& at, double length)
+partEnds(const std::vector<double>& faded)
 {
   std::vector<std::size_t> ends;
-  for (std::size_t begin = 0; begin < at.size(); begin = ends.back()) {
-    const auto end = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), at[begin] + in_part * fading * length) - at.begin());
-    ends.push_back(std::min(at.size(), std::max(end, begin + static_cast<std::size_t>(in_part * fading_knots))));
-  }
+  for (std::size_t begin = 0; begin < faded.size(); begin = ends.back())
+    ends.push_back(static_cast<std::size_t>(std::upper_bound(faded.begin(), faded.end(), faded[begin] + part_length) - faded.begin()));
   return ends;
 }
 
@@ -330,7 +338,8 @@ splineOfAxes(const std::vector<double>& s, const Vectors& wanted, double length,
   const Knots knots(s, wanted, closest_knots * length);
   if (knots.at.size() < 3)
     return wanted;
-  const std::vector<std::size_t> ends = partEnds(knots.at, length);
+  const std::vector<double> faded = fadedAlong(knots.at, length);
+  const std::vector<std::size_t> ends = partEnds(faded);
   const auto count = static_cast<std::int64_t>(ends.size());
   std::vector<std::unique_ptr<SmoothedPart>> parts(ends.size()); // those that exceed the deviation
   std::vector<double> weights = knots.weight;
@@ -340,7 +349,7 @@ splineOfAxes(const std::vector<double>& s, const Vectors& wanted, double length,
   for (int round = 0; round < most_rounds && !kept; ++round) {
 #pragma omp parallel for schedule(dynamic)
     for (std::int64_t p = 0; p < count; ++p) {
-      const SmoothedPart::Range range(knots.at, p > 0 ? ends[p - 1] : 0, ends[p], length);
+      const SmoothedPart::Range range(faded, p > 0 ? ends[p - 1] : 0, ends[p]);
       if (!range.holds(changed))
         continue;
       if (!parts[p])

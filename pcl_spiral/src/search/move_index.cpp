@@ -26,7 +26,7 @@ MoveIndex::MoveIndex(const Polyline& line) : line_(line)
   std::vector<Piece> all = pieces();
   boxes_.resize(2 * all.size() - 1);
   next_.resize(2 * all.size() - 1);
-#pragma omp parallel if (all.size() > alone)
+#pragma omp parallel if (all.size() > 2 * alone)
 #pragma omp single
   build(all, 0, all.size(), 0, 1);
 }

@@ -62,17 +62,19 @@ class NearPlaces {
 public:
   NearPlaces(const CoverTests& tests, std::vector<std::size_t> places) : tests_(tests), places_(std::move(places))
   {
+    if (places_.empty())
+      return;
+    origin_ = tests.points[places_.front()];
     std::vector<Eigen::Vector3f> points;
     for (const std::size_t i : places_)
-      points.push_back(tests.points[i].cast<float>());
-    if (!points.empty())
-      blocks_ = PointBlocks(std::move(points));
+      points.push_back((tests.points[i] - origin_).cast<float>());
+    blocks_ = PointBlocks(std::move(points));
   }
 
   /** Whether \p test is near one. \p last: the place found before, which is looked at first. */
   bool isNear(std::size_t test, std::size_t& last) const
   {
-    constexpr double rounding = 1e-3; // of the reach: more than that of the blocks
+    constexpr double rounding = 1e-3; // of the reach: more than that of the blocks on parts of up to ten thousand step-overs
     const Eigen::Vector3d& p = tests_.points[test];
     const StepOverMetric& metric = tests_.metric[test];
     const auto reaches = [&](std::size_t place) { return metric.length(p - tests_.points[place]) < watch_reach; };
@@ -80,7 +82,7 @@ public:
       return false;
     if (last != none_near && reaches(last))
       return true;
-    const Eigen::Vector3f q = p.cast<float>();
+    const Eigen::Vector3f q = (p - origin_).cast<float>();
     const auto reach = static_cast<float>((1.0 + rounding) * watch_reach * longestStepOver(metric));
     bool found = false;
     blocks_.forBlocks([&](const Box& box) { return !found && box.squaredDistance(q.data()) <= reach * reach; },
@@ -97,7 +99,8 @@ public:
 private:
   const CoverTests& tests_;
   std::vector<std::size_t> places_;
-  PointBlocks blocks_;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  PointBlocks blocks_; ///< of the places, from the origin
 };
 
 } // namespace

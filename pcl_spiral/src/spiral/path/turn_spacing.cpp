@@ -33,8 +33,12 @@ public:
   : along_(b - a), from_(p - a), length_(along_.squaredNorm()), at_(from_.dot(along_))
   {}
 
-  /** Whether the line through the move is farther than \p distance; without a division. */
-  bool isBeyond(double distance) const { return (from_.squaredNorm() - distance * distance) * length_ > at_ * at_; }
+  /** Whether the line through the move is farther than \p distance; without a division. False where rounding could decide. */
+  bool isBeyond(double distance) const
+  {
+    constexpr double rounding = 1e-14; // of the square of the way, of which a long move takes almost all away
+    return (from_.squaredNorm() * (1.0 - rounding) - distance * distance) * length_ > at_ * at_;
+  }
   double distance() const { return (from_ - (length_ > 0.0 ? std::clamp(at_ / length_, 0.0, 1.0) : 0.0) * along_).norm(); }
 
 private:
