@@ -168,7 +168,8 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
 
 Status
 planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
-                    const ProgressCallback& progress, StageClock& clock, SpiralTurns& turns, ScallopFigures& figures)
+                    const ProgressCallback& progress, const std::function<void()>& field_made, StageClock& clock, SpiralTurns& turns,
+                    ScallopFigures& figures)
 {
   turns = SpiralTurns();
   figures = ScallopFigures();
@@ -177,6 +178,7 @@ planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loo
     return status;
   if (const Status status = checkPathSize(scallopPathSize(field, surface, settings), surfaceArea(surface.graph()), settings); !status.ok())
     return status;
+  field_made();
   clock.end("step-over field");
   ScallopLoopSet set;
   if (!makeScallopLoops(field, partOf(progress, 0.3, 0.6), set))

@@ -218,7 +218,9 @@ private:
   Status makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines, StageClock& clock, SpiralTurns& turns);
-  Status makeConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
+  /** \p alone: no other method is tried after it. */
+  Status makeConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, bool alone, StageClock& clock,
+                             SpiralTurns& turns);
   Status makePublished(const Surface& surface, StageClock& clock, SpiralPath& path);
   Status run(StageClock& clock, SpiralPath& path);
 

@@ -14,9 +14,8 @@ SegmentSet::add(const Polyline& run, bool closed, std::size_t label)
     points_.push_back(run.front());
   is_joint_.resize(points_.size(), 0);
   is_joint_.back() = 1;
-  labels_.resize(points_.size(), label);
-  for (std::size_t i = first; i < points_.size(); ++i)
-    places_.push_back(i - first);
+  run_of_.resize(points_.size(), static_cast<std::uint32_t>(runs_.size()));
+  runs_.push_back({first, label});
 }
 
 void
@@ -36,7 +35,7 @@ SegmentSet::nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, doub
   index_->search(
       p, [&] { return best.segment == NearestSegment::none || best.distance > enough ? best.distance * widest : 0.0; },
       [&](std::size_t s) {
-        if (is_joint_[s] || labels_[s] == but)
+        if (is_joint_[s] || label(s) == but)
           return;
         double t = 0.0;
         const double distance = distanceFromSegment(p, metric, points_[s], points_[s + 1], t);

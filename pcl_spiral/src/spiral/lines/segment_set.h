@@ -44,9 +44,9 @@ public:
   bool empty() const { return points_.empty(); }
   const Eigen::Vector3d& point(std::size_t i) const { return points_[i]; }
   /** Label of the run that a segment belongs to. */
-  std::size_t label(std::size_t segment) const { return labels_[segment]; }
+  std::size_t label(std::size_t segment) const { return runs_[run_of_[segment]].label; }
   /** Index, in its run, of the point at which a segment begins. */
-  std::size_t place(std::size_t segment) const { return places_[segment]; }
+  std::size_t place(std::size_t segment) const { return segment - runs_[run_of_[segment]].first; }
 
   /** The segment nearest to \p p when it is nearer than \p within step-overs; else the distance is \p within. Runs with the
    *  label \p but do not count. One that is nearer than \p enough ends the search. */
@@ -55,7 +55,8 @@ public:
   /** An upper limit of the distance of \p p, found along a run from \p segment while that gets nearer; no segment, and \p within, if
    *  nothing there is nearer. */
   NearestSegment along(const Eigen::Vector3d& p, const StepOverMetric& metric, std::size_t segment, double within) const;
-  /** The same as nearest, but first along the run from \p from, where the last point was near: often enough for one that follows. */
+  /** The same distance as by nearest, looked for first along the run from \p from, where the last point was near. One that is nearer
+   *  than \p enough ends the search. */
   NearestSegment nearestFrom(std::size_t from, const Eigen::Vector3d& p, const StepOverMetric& metric, double within,
                              double enough = 0.0) const;
   /** Call \p visit(segment) for all segments within \p within step-overs of \p p, and some beyond; a segment may come twice. */
@@ -72,9 +73,14 @@ public:
   }
 
 private:
+  struct Run {
+    std::size_t first, label;
+  };
+
   Polyline points_;
   std::vector<std::uint8_t> is_joint_; ///< of the segment that begins here: it joins two runs and is no real segment
-  std::vector<std::size_t> labels_, places_;
+  std::vector<std::uint32_t> run_of_;
+  std::vector<Run> runs_;
   std::unique_ptr<MoveIndex> index_;
 };
 

@@ -77,12 +77,17 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::Const
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops,
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(Surface::ConstPtr& surface,
+                                                                           const std::vector<BoundaryLoop>& loops, bool alone,
                                                                            StageClock& clock, SpiralTurns& turns)
 {
   report_.method = SpiralMethod::ConstantScallop;
   ScallopFigures figures;
-  const Status status = planConstantScallop(surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, turns, figures);
+  const auto dropMesh = [&surface, alone] {
+    if (alone)
+      dropTriangulation(surface); // the field has its own, and the projection needs only neighbourhoods
+  };
+  const Status status = planConstantScallop(*surface, loops, settings_, partOf(progress_, 0.4, 0.65), dropMesh, clock, turns, figures);
   report_.largest_allowed_step = turns.largest_allowed_step;
   if (status.ok())
     reportScallop(figures, settings_, report_);
@@ -103,10 +108,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::Con
     const Status radial = makeRadial(surface, loops, clock, turns);
     if (!putBackRadial(radial, turns, before, report_))
       return radial;
-    const Status scallop = makeConstantScallop(*surface, loops, clock, turns);
+    const Status scallop = makeConstantScallop(surface, loops, true, clock, turns);
     return scallop.code() == StatusCode::Failed && !radial.ok() ? neitherMethod(scallop, radial) : scallop;
   }
-  const Status scallop = makeConstantScallop(*surface, loops, clock, turns);
+  const Status scallop = makeConstantScallop(surface, loops, !foresight.why_not_radial.empty(), clock, turns);
   if (scallop.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
     return scallop;
   report_.warnings.push_back("the radial method made the path, though a shorter one was foreseen at constant scallop height: " +

@@ -105,7 +105,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
   clock.end("reach of the ball");
   switch (methodAsked(settings_)) {
   case SpiralMethod::ConstantScallop: {
-    const Status status = makeConstantScallop(*surface, loops, clock, turns);
+    const Status status = makeConstantScallop(surface, loops, true, clock, turns);
     dropTriangulation(surface);
     return status;
   }
