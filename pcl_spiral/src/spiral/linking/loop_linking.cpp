@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace pcl_spiral {
@@ -122,9 +123,15 @@ addPass(const SpiralPass& pass, const CutLoops& loops, LinkedPath& path)
   if (pass.lead_out > 0.0)
     addPart(loops.loop(last.loop), last.u - last.length, pass.lead_out * last.length, piece);
   dropRepeats(piece);
-  const float before = path.turns.empty() ? 0.0f : path.turns.back();
-  if (!path.points.empty())
-    path.passes.push_back(path.points.size());
+  if (path.points.empty()) {
+    path.points = std::move(piece.points);
+    path.metric = std::move(piece.metric);
+    path.reversed = std::move(piece.reversed);
+    path.turns = std::move(piece.turns);
+    return arcs;
+  }
+  const float before = path.turns.back();
+  path.passes.push_back(path.points.size());
   path.points.insert(path.points.end(), piece.points.begin(), piece.points.end());
   path.metric.insert(path.metric.end(), piece.metric.begin(), piece.metric.end());
   path.reversed.insert(path.reversed.end(), piece.reversed.begin(), piece.reversed.end());
@@ -154,10 +161,10 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::op
 {
   path = LinkedPath();
   CutLoops cuts(loops);
-  const LoopFinder finder(loops);
+  auto finder = std::make_unique<const LoopFinder>(loops);
   const std::size_t innermost = innermostOf(loops);
   std::vector<SpiralPass> passes(1);
-  passes[0].chain = start ? chainNear(loops, finder, cuts, *start) : findMainChain(cuts, finder, innermost, 0, start);
+  passes[0].chain = start ? chainNear(loops, *finder, cuts, *start) : findMainChain(cuts, *finder, innermost, 0, start);
   if (passes[0].chain.empty())
     return {StatusCode::Failed, textOf("no chain of loops leads from the innermost loop at ", placeText(loops[innermost].points.front()),
                                        " out to the rim: the surface is too rough there for loops at constant scallop; smooth "
@@ -169,12 +176,13 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::op
   std::vector<std::uint8_t> joined(loops.size(), 0);
   addJoints(passes[0].chain, cuts, joined, path);
   if (one_way)
-    addBranches(finder, joined, cuts, path, passes);
-  else if (const std::size_t left = joinLoops(finder, joined, cuts, path); left < loops.size())
+    addBranches(*finder, joined, cuts, path, passes);
+  else if (const std::size_t left = joinLoops(*finder, joined, cuts, path); left < loops.size())
     return {StatusCode::Failed,
             textOf("no loop runs beside the one at ", placeText(loops[left].points.front()), ", which is ", loops[left].length(),
                    " step-overs long: the path cannot be made in one piece there; choose "
                    "the radial method (setMethod), or cut the part into pieces")};
+  finder.reset(); // larger than the path
   std::size_t arcs = 0;
   for (const SpiralPass& pass : passes)
     arcs += addPass(pass, cuts, path);

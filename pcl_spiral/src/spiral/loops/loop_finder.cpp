@@ -11,9 +11,10 @@ LoopFinder::LoopFinder(const std::vector<ScallopLoop>& loops) : loops_(loops)
   sets_.resize(levels);
   for (std::size_t i = 0; i < loops.size(); ++i)
     sets_[loops[i].level].add(loops[i].points, true, i);
-  for (SegmentSet& set : sets_)
-    if (!set.empty())
-      set.build();
+#pragma omp parallel for schedule(dynamic)
+  for (int level = 0; level < levels; ++level)
+    if (!sets_[level].empty())
+      sets_[level].build();
 }
 
 LoopPlace
