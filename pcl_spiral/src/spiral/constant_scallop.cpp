@@ -14,6 +14,7 @@
 #include <pcl_spiral/spiral/step_over_field.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -37,8 +38,10 @@ std::pair<double, double>
 stepOverRange(const LinkedPath& path)
 {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
-  for (const StepOverMetric& metric : path.metric) {
-    const double step_over = longestStepOver(metric);
+  const auto count = static_cast<std::int64_t>(path.metric.size());
+#pragma omp parallel for schedule(static) reduction(min : least) reduction(max : most)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double step_over = longestStepOver(path.metric[i]);
     least = std::min(least, step_over);
     most = std::max(most, step_over);
   }

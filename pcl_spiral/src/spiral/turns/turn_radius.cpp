@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -53,15 +54,16 @@ sharpTurns(const LinkedPath& path, double rim)
     radii[i] = {circumradius(metric.length(here - before), metric.length(behind - here), metric.length(behind - before)),
                 static_cast<std::size_t>(i)};
   }
-  std::sort(radii.begin(), radii.end());
+  const std::greater<> larger;
+  std::make_heap(radii.begin(), radii.end(), larger); // few of the smallest are taken
   turns.least_radius = radii.front().first;
   turns.sharpest = radii.front().second;
   double turned = 0.0;
-  for (const auto& [radius, i] : radii) {
+  for (auto end = radii.end(); end != radii.begin() && !(turned > share * arcs.back()); --end) {
+    const auto [radius, i] = radii.front();
     turns.radius = radius;
     turned += std::min(reach, 0.5 * (arcs[std::min(n - 1, i + 1)] - arcs[i > 0 ? i - 1 : 0]));
-    if (turned > share * arcs.back())
-      break;
+    std::pop_heap(radii.begin(), end, larger);
   }
   return turns;
 }
