@@ -24,8 +24,8 @@ constexpr double near_enough = 1.05;          // of the deviation allowed
 // exp(-step / length). To 1e-17, exp(-39), a change thus fades over 39, and through a mean over 28 more.
 constexpr double fading = 70.0;        // sum of step / (sqrt(2) length), each at most steepest
 constexpr double steepest = 1.3;       // from one knot to the next
-constexpr double part_length = 700.0;  // the same sum over a part of a path
-constexpr std::size_t together = 4096; // points of one call
+constexpr double part_length = 700.0;  // the same sum over a part of a path; only speed: of ten fadings, a fifth is solved twice
+constexpr std::size_t together = 4096; // points that one thread takes at a time
 
 /** The points of a path as knots. Points very near to each other make one knot. */
 struct Knots {

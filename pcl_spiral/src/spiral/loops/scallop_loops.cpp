@@ -169,7 +169,7 @@ std::vector<double>
 LoopMaker::distancesOf(const std::vector<std::uint32_t>& nodes, const SegmentSet& lines, double enough) const
 {
   std::vector<double> distances(nodes.size());
-  constexpr std::size_t together = 256;
+  constexpr std::size_t together = 256; // nodes that one thread takes at a time; the same for any number of threads
   const auto blocks = static_cast<std::int64_t>((nodes.size() + together - 1) / together);
 #pragma omp parallel for schedule(dynamic) if (blocks > 8)
   for (std::int64_t block = 0; block < blocks; ++block) {
