@@ -164,6 +164,36 @@ TEST(PathTurns, ReversalsOfTheBallAreThoseOfItsCentre)
   EXPECT_EQ(ballReversals(on_surface, radius).count, 0u);
 }
 
+TEST(PathTurns, ReversalsWithStopsAndBetweenPassesAreCountedAlongAWholePath)
+{
+  SpiralPath path;
+  std::size_t turned = 0;
+  double x = 0.0, step = 1.0;
+  const auto add = [&path](double at) {
+    path.contacts.push_back({at, 0.0, 0.0});
+    path.normals.push_back(Vector3d::UnitZ());
+    path.turns.push_back(0.0f);
+    path.feet.push_back({static_cast<double>(path.feet.size()), 0.0, 0.0}); // of the path over the surface, which runs on
+  };
+  add(x);
+  for (int turn = 0; path.contacts.size() < 30000; ++turn) {
+    for (int move = 0; move < 5 + turn % 7; ++move)
+      add(x += step);
+    for (int stop = 0; stop < turn % 4; ++stop) // the tool waits where it turns back
+      add(x);
+    if (turn % 5 == 0)
+      path.passes.push_back(path.contacts.size() - 1); // lifted: a new pass begins where it turns back
+    else
+      ++turned;
+    step = -step;
+  }
+  for (int move = 0; move < 5; ++move)
+    add(x += step);
+  const PathReversals found = ballReversals(path, 5.0);
+  EXPECT_EQ(found.count, turned);
+  EXPECT_NEAR(found.angle, 180.0, 1e-6);
+}
+
 TEST(PathTurns, ReversalsAtCornersOfTheOutlineAreAllowed)
 {
   // Turns like a rhombus, which turn by 180 - 2 atan(0.15) = 162.9 degrees at two corners.

@@ -2,8 +2,14 @@
 #include <pcl_spiral/core/polyline.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace pcl_spiral {
+namespace {
+
+constexpr std::int64_t alone = 4096; // so many moves take less time than a team of threads
+
+} // namespace
 
 std::vector<double>
 arcLengths(const Polyline& line, bool closed)
@@ -12,8 +18,12 @@ arcLengths(const Polyline& line, bool closed)
   if (n == 0)
     return {};
   std::vector<double> s(closed ? n + 1 : n, 0.0);
+  const auto moves = static_cast<std::int64_t>(s.size()) - 1;
+#pragma omp parallel for schedule(static) if (moves > alone)
+  for (std::int64_t i = 0; i < moves; ++i)
+    s[i + 1] = (line[(i + 1) % n] - line[i]).norm();
   for (std::size_t i = 1; i < s.size(); ++i)
-    s[i] = s[i - 1] + (line[i % n] - line[i - 1]).norm();
+    s[i] += s[i - 1];
   return s;
 }
 

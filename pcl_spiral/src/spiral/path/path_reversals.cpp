@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/path_reversals.h>
 
+#include "search/pieces.h"
+
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
@@ -22,26 +24,39 @@ struct Bend {
   double angle;
 };
 
-/** All bends of at least \p least degrees. */
-std::vector<Bend>
-findBends(const TurnedPath& path, double least)
+/** True if no move leads from another place of the same pass to point \p i; \p before: where the last one to do so begins. */
+template <typename Place>
+bool
+isAtBegin(const Place& place, const std::vector<std::size_t>& passes, std::size_t i, std::size_t& before)
 {
-  const double cosine_of_least = std::cos(least * degree);
+  for (before = i; before > 0 && !beginsPass(passes, before);)
+    if (place(--before) != place(i))
+      return false;
+  return true;
+}
+
+/** The reversals of a path of \p count points, in their order; \p place(i): of point i. */
+template <typename Place>
+std::vector<Bend>
+findBends(std::size_t count, const Place& place, const std::vector<std::size_t>& passes)
+{
+  const double cosine_of_reversal = std::cos(reversal * degree);
+  std::vector<std::vector<Bend>> found(pieceCount(count));
+  forPieces(count, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+    for (std::size_t i = std::max<std::size_t>(begin, 1); i < std::min(end, count - 1); ++i) {
+      const Eigen::Vector3d at = place(i), out = place(i + 1) - at;
+      std::size_t before = i - 1;
+      if ((at - place(before)).dot(out) > 0.0 || out.isZero(0.0) || beginsPass(passes, i + 1) || isAtBegin(place, passes, i, before))
+        continue;
+      const Eigen::Vector3d in = at - place(before);
+      const double cosine = std::clamp(in.dot(out) / (in.norm() * out.norm()), -1.0, 1.0);
+      if (cosine < cosine_of_reversal)
+        found[piece].push_back({i, std::acos(cosine) / degree});
+    }
+  });
   std::vector<Bend> bends;
-  std::size_t before = 0; // the last point at another place
-  for (std::size_t i = 1; i + 1 < path.places.size(); ++i) {
-    if (beginsPass(path.passes, i))
-      before = i;
-    const Eigen::Vector3d in = path.places[i] - path.places[before], out = path.places[i + 1] - path.places[i];
-    if (!(out.norm() > 0.0)) // the next move begins at the same place
-      continue;
-    before = i;
-    if (!(in.norm() > 0.0) || beginsPass(path.passes, i + 1))
-      continue;
-    const double cosine = std::clamp(in.dot(out) / (in.norm() * out.norm()), -1.0, 1.0);
-    if (cosine < cosine_of_least)
-      bends.push_back({i, std::acos(cosine) / degree});
-  }
+  for (const std::vector<Bend>& part : found)
+    bends.insert(bends.end(), part.begin(), part.end());
   return bends;
 }
 
@@ -100,7 +115,9 @@ betweenEnds(const TurnedPath& path)
     if (pass.begin >= pass.end)
       continue;
     const double first = path.turns[pass.begin], last = path.turns[pass.end - 1];
-    for (std::size_t i = pass.begin; i < pass.end; ++i)
+    const auto end = static_cast<std::int64_t>(pass.end);
+#pragma omp parallel for schedule(static) if (pass.end - pass.begin > piece_size)
+    for (auto i = static_cast<std::int64_t>(pass.begin); i < end; ++i)
       between[i] = std::abs(path.turns[i] - first) > whole && std::abs(path.turns[i] - last) > whole;
   }
   return between;
@@ -111,7 +128,10 @@ findReversals(const TurnedPath& path, const std::vector<std::uint8_t>& counted)
 {
   PathReversals found;
   double sharpest = 0.0, sharpest_corner = 0.0;
-  const std::vector<Bend> bends = findBends(path, reversal);
+  const std::vector<Bend> bends = findBends(
+      path.places.size(), [&path](std::size_t i) { return path.places[i]; }, path.passes);
+  if (bends.empty())
+    return found;
   for (const PassRange& pass : passRanges(path.passes, path.places.size())) {
     if (pass.begin >= pass.end)
       continue;
@@ -138,16 +158,19 @@ findReversals(const TurnedPath& path, const std::vector<std::uint8_t>& counted)
 PathReversals
 curveReversals(const std::vector<SpiralPoint>& curve)
 {
+  std::vector<std::size_t> passes;
+  for (std::size_t i = 1; i < curve.size(); ++i)
+    if (curve[i].begins_pass)
+      passes.push_back(i);
+  if (findBends(
+          curve.size(), [&curve](std::size_t i) { return curve[i].position; }, passes)
+          .empty())
+    return PathReversals();
   Polyline places;
   std::vector<float> turns;
-  std::vector<std::size_t> passes;
-  places.reserve(curve.size());
-  turns.reserve(curve.size());
-  for (std::size_t i = 0; i < curve.size(); ++i) {
-    places.push_back(curve[i].position);
-    turns.push_back(static_cast<float>(curve[i].turn));
-    if (i > 0 && curve[i].begins_pass)
-      passes.push_back(i);
+  for (const SpiralPoint& point : curve) {
+    places.push_back(point.position);
+    turns.push_back(static_cast<float>(point.turn));
   }
   const TurnedPath path{places, turns, passes};
   return findReversals(path, betweenEnds(path));
@@ -157,12 +180,14 @@ PathReversals
 ballReversals(const SpiralPath& path, double tool_radius)
 {
   PathReversals found;
-  Polyline centres;
-  centres.reserve(path.contacts.size());
-  for (std::size_t i = 0; i < path.contacts.size(); ++i)
-    centres.push_back(path.contacts[i] + tool_radius * path.normals[i]);
-  const std::vector<Bend> of_feet = findBends({path.onSurface(), path.turns, path.passes}, reversal);
-  for (const Bend& bend : findBends({centres, path.turns, path.passes}, reversal)) {
+  const auto centre = [&](std::size_t i) { return Eigen::Vector3d(path.contacts[i] + tool_radius * path.normals[i]); };
+  const std::vector<Bend> of_ball = findBends(path.contacts.size(), centre, path.passes);
+  if (of_ball.empty())
+    return found;
+  const Polyline& feet = path.onSurface();
+  const std::vector<Bend> of_feet = findBends(
+      feet.size(), [&feet](std::size_t i) { return feet[i]; }, path.passes);
+  for (const Bend& bend : of_ball) {
     const auto beside = std::lower_bound(of_feet.begin(), of_feet.end(), bend.at, [](const Bend& b, std::size_t at) { return b.at < at; });
     if (beside != of_feet.end() && beside->at == bend.at)
       continue;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace pcl_spiral {
@@ -71,13 +72,16 @@ halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
   return true;
 }
 
-/** Lengths cut up to each point; serial: a sum whose rounding depends on its order. */
+/** Lengths cut up to each point. The sum is serial: its rounding depends on its order. */
 std::vector<double>
 cutLengths(const SpiralPath& path)
 {
   std::vector<double> lengths(path.contacts.size(), 0.0);
-  for (std::size_t i = 1; i < lengths.size(); ++i)
-    lengths[i] = lengths[i - 1] + (beginsPass(path.passes, i) ? 0.0 : (path.contacts[i] - path.contacts[i - 1]).norm());
+  const auto count = static_cast<std::int64_t>(lengths.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 1; i < count; ++i)
+    lengths[i] = beginsPass(path.passes, i) ? 0.0 : (path.contacts[i] - path.contacts[i - 1]).norm();
+  std::partial_sum(lengths.begin(), lengths.end(), lengths.begin());
   return lengths;
 }
 
@@ -125,6 +129,7 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
     const std::size_t end = std::min(curve.size(), begin + chunk);
     const auto count = static_cast<std::int64_t>(end - begin);
     queries.resize(end - begin);
+#pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < count; ++i)
       queries[i] = curve[begin + i].position;
     pathFeet(surface, queries, feet);
