@@ -79,6 +79,13 @@ sanitized=$([[ "${options[*]}" == *-fsanitize* ]] && echo yes || echo no)
 if [ "$sanitized" = no ] && readelf -d "$first/bin/c_and_cxx" | grep -E 'NEEDED.*(vtk|Qt)'; then
   fail "a program that wants the filters alone was linked to the libraries above"
 fi
+if [ "$sanitized" = no ]; then
+  for program in "$first"/bin/pcl_spiral_*; do
+    if ldd "$program" | grep pcl_features; then
+      fail "'$program' loads pcl_features, and needs nothing of it"
+    fi
+  done
+fi
 
 mv "$first" "$second"
 run_all "$second"

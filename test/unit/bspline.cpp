@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/bspline_fit.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #include "core/smooth_axes.h"
 #include <pcl_spiral/core/impl/angles.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // The graph of a surface: topology on known surfaces, the empty-circle property, orientation, invariance.
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <omp.h>
 

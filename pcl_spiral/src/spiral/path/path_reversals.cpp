@@ -128,8 +128,8 @@ findReversals(const TurnedPath& path, const std::vector<std::uint8_t>& counted)
 {
   PathReversals found;
   double sharpest = 0.0, sharpest_corner = 0.0;
-  const std::vector<Bend> bends = findBends(
-      path.places.size(), [&path](std::size_t i) { return path.places[i]; }, path.passes);
+  const auto place = [&path](std::size_t i) { return path.places[i]; };
+  const std::vector<Bend> bends = findBends(path.places.size(), place, path.passes);
   if (bends.empty())
     return found;
   for (const PassRange& pass : passRanges(path.passes, path.places.size())) {
@@ -162,9 +162,8 @@ curveReversals(const std::vector<SpiralPoint>& curve)
   for (std::size_t i = 1; i < curve.size(); ++i)
     if (curve[i].begins_pass)
       passes.push_back(i);
-  if (findBends(
-          curve.size(), [&curve](std::size_t i) { return curve[i].position; }, passes)
-          .empty())
+  const auto place = [&curve](std::size_t i) { return curve[i].position; };
+  if (findBends(curve.size(), place, passes).empty())
     return PathReversals();
   Polyline places;
   std::vector<float> turns;
@@ -185,8 +184,8 @@ ballReversals(const SpiralPath& path, double tool_radius)
   if (of_ball.empty())
     return found;
   const Polyline& feet = path.onSurface();
-  const std::vector<Bend> of_feet = findBends(
-      feet.size(), [&feet](std::size_t i) { return feet[i]; }, path.passes);
+  const auto foot = [&feet](std::size_t i) { return feet[i]; };
+  const std::vector<Bend> of_feet = findBends(feet.size(), foot, path.passes);
   for (const Bend& bend : of_ball) {
     const auto beside = std::lower_bound(of_feet.begin(), of_feet.end(), bend.at, [](const Bend& b, std::size_t at) { return b.at < at; });
     if (beside != of_feet.end() && beside->at == bend.at)
