@@ -390,10 +390,10 @@ TEST(BoundaryLoops, RefusesFlagsThatDoNotFit)
 
 /** Whether \p loop visits \p expected, a closed run, in order: from any start point, in the same sense. */
 bool
-isRotationOf(const std::vector<std::uint32_t>& loop, const std::vector<std::uint32_t>& expected)
+isRotationOf(const pcl::Indices& loop, const pcl::Indices& expected)
 {
   const auto first = std::find(expected.begin(), expected.end(), loop.front());
-  std::vector<std::uint32_t> turned(first, expected.end());
+  pcl::Indices turned(first, expected.end());
   turned.insert(turned.end(), expected.begin(), first);
   return loop == turned;
 }
@@ -421,8 +421,8 @@ TEST(BoundaryLoops, WalkVisitsRingsInOrder)
     (*cloud)[i].getVector3fMap() = points[order[i]].cast<float>();
     place[order[i]] = static_cast<std::uint32_t>(i);
   }
-  const std::vector<std::uint32_t> rim(place.begin(), place.begin() + outer);
-  const std::vector<std::uint32_t> hole(place.rend() - outer - inner, place.rend() - outer); // clockwise: the surface is on the left
+  const pcl::Indices rim(place.begin(), place.begin() + outer);
+  const pcl::Indices hole(place.rend() - outer - inner, place.rend() - outer); // clockwise: the surface is on the left
   Flags::Ptr flags(new Flags(static_cast<unsigned>(cloud->size()), 1));
   for (Flags::iterator flag = flags->begin(); flag != flags->end(); ++flag)
     flag->boundary_point = order[static_cast<std::size_t>(flag - flags->begin())] < outer + inner;

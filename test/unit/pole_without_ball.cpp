@@ -91,3 +91,43 @@ TEST(PoleWithoutBall, TheAxisStaysAndTheBlocksAreSlower)
       EXPECT_GT(farthestOff(blended, poses).second, 1e-4);
     }
 }
+
+TEST(PoleWithoutBall, TheRadiusOfThePathCountsInAnyOrder)
+{
+  pcl::PointCloud<ToolpathPoint> path;
+  for (const ToolPose& pose : passBesideThePole(0.3)) {
+    ToolpathPoint p;
+    p.getVector3fMap() = pose.contact.cast<float>();
+    p.getNormalVector3fMap() = p.getAxisVector3fMap() = pose.normal.cast<float>();
+    p.arc_length = path.empty() ? 0.0f : path.back().arc_length + (p.getVector3fMap() - path.back().getVector3fMap()).norm();
+    path.push_back(p);
+  }
+  MachineProgram programs[2];
+  for (const bool settings_last : {false, true}) {
+    MachineProgramGenerator generator;
+    generator.setMachine(testMachines().front());
+    ProgramSettings settings;
+    settings.lead_length = 3.0;
+    if (!settings_last)
+      generator.setSettings(settings);
+    generator.setInputPath(path, 5.0);
+    if (settings_last)
+      generator.setSettings(settings);
+    generator.compute(programs[settings_last]);
+    ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+    settings.ball_radius = 4.0;
+    generator.setSettings(settings);
+    MachineProgram none;
+    generator.compute(none);
+    EXPECT_EQ(generator.getStatus().code(), StatusCode::InvalidArgument);
+    EXPECT_NE(generator.getStatus().message().find("5 mm in setInputPath and 4 mm in setSettings"), std::string::npos)
+        << generator.getStatus().message();
+    generator.setInputPoses(ballPoses(path, 4.0)); // poses have no radius of their own
+    generator.compute(none);
+    EXPECT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  }
+  EXPECT_FALSE(programs[0].report.poles.empty());
+  ASSERT_EQ(programs[0].blocks.size(), programs[1].blocks.size());
+  for (std::size_t i = 0; i < programs[0].blocks.size(); ++i)
+    ASSERT_TRUE(programs[0].blocks[i].tip == programs[1].blocks[i].tip && programs[0].blocks[i].axis == programs[1].blocks[i].axis);
+}

@@ -178,7 +178,7 @@ groupsOf(const StandingSet& standing, double reach)
     if (group[i] == groups.size())
       groups.emplace_back();
     StandingCluster& own = groups[group[i]];
-    own.indices.push_back(standing.members[i]);
+    own.indices.push_back(static_cast<pcl::index_t>(standing.members[i]));
     own.positions.push_back(standing.points[i]);
     own.height = std::max(own.height, standing.heights[i]);
   }
@@ -191,8 +191,8 @@ groupsOf(const StandingSet& standing, double reach)
 bool
 isCluster(const StandingCluster& group, std::size_t least, const std::vector<std::uint8_t>& is_far)
 {
-  return group.indices.size() >= least &&
-         std::count_if(group.indices.begin(), group.indices.end(), [&](std::uint32_t i) { return is_far[i] != 0; }) > 1;
+  return group.indices.size() >= least && std::count_if(group.indices.begin(), group.indices.end(),
+                                                        [&](pcl::index_t i) { return is_far[static_cast<std::size_t>(i)] != 0; }) > 1;
 }
 
 /** Groups larger than chance makes them: first of points that are near each other among all, then of the others, which stand farther
@@ -209,7 +209,7 @@ clustersOf(const StandingSet& standing, const std::vector<std::uint8_t>& is_far,
       clusters.push_back(group);
     else
       for (std::size_t i = 0; i < group.indices.size(); ++i)
-        others.add(group.positions[i], group.indices[i], group.height);
+        others.add(group.positions[i], static_cast<std::uint32_t>(group.indices[i]), group.height);
   }
   const std::size_t least_loose = leastSpread(others.points.size(), loose_link * spacing, area);
   for (const StandingCluster& group : groupsOf(others, loose_link * spacing))
@@ -287,15 +287,15 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
   found.clusters = clustersOf(standing, is_far, spacing, static_cast<double>(sure.blocks.size()) * spacing * spacing);
   std::vector<std::uint8_t> is_in_cluster(points.size(), 0);
   for (const StandingCluster& cluster : found.clusters)
-    for (const std::uint32_t i : cluster.indices)
-      is_in_cluster[i] = 1;
+    for (const pcl::index_t i : cluster.indices)
+      is_in_cluster[static_cast<std::size_t>(i)] = 1;
   for (std::size_t k = 0; k < standing.points.size(); ++k)
     if (is_in_cluster[standing.members[k]] == 0)
       others.add(standing.points[k], standing.members[k], standing.heights[k]);
   joinToClusters(groupsOf(others, link * spacing), loose_link * spacing, found.clusters);
   for (StandingCluster& cluster : found.clusters)
-    cluster.hides_surface =
-        std::any_of(cluster.indices.begin(), cluster.indices.end(), [&heights](std::uint32_t i) { return heights[i].hides; });
+    cluster.hides_surface = std::any_of(cluster.indices.begin(), cluster.indices.end(),
+                                        [&heights](pcl::index_t i) { return heights[static_cast<std::size_t>(i)].hides; });
   std::stable_sort(found.clusters.begin(), found.clusters.end(),
                    [](const StandingCluster& a, const StandingCluster& b) { return a.height > b.height; });
   return found;

@@ -150,7 +150,7 @@ loopOf(const SurfaceGraph& graph, const MlsSurface& surface, const Ring& ring, c
 {
   BoundaryLoop loop;
   for (const std::uint32_t v : ring) {
-    loop.indices.push_back(graph.blocks().originalIndex(v));
+    loop.indices.push_back(static_cast<pcl::index_t>(graph.blocks().originalIndex(v)));
     loop.points.push_back(graph.position(v));
   }
   Outline outline = fitOutline(surface, ring, goOn);
@@ -205,7 +205,8 @@ keepMarked(const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, std
   if (options.marked.empty())
     return Status::success();
   const auto share = [&](const BoundaryLoop& loop) {
-    const auto count = std::count_if(loop.indices.begin(), loop.indices.end(), [&](std::uint32_t i) { return options.marked[i] != 0; });
+    const auto count = std::count_if(loop.indices.begin(), loop.indices.end(),
+                                     [&](pcl::index_t i) { return options.marked[static_cast<std::size_t>(i)] != 0; });
     return static_cast<double>(count) / static_cast<double>(loop.indices.size());
   };
   constexpr double least = 0.5;
@@ -264,8 +265,8 @@ findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::v
 {
   const Status status = findBoundaryLoops(surface.fit(), options, loops, counts);
   for (BoundaryLoop& loop : loops)
-    for (std::uint32_t& index : loop.indices)
-      index = surface.sourceOfOriginal(index);
+    for (pcl::index_t& index : loop.indices)
+      index = static_cast<pcl::index_t>(surface.sourceOfOriginal(static_cast<std::size_t>(index)));
   return status;
 }
 

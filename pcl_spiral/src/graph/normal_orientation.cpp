@@ -98,6 +98,7 @@ countVotes(const SideSums& sums, const SurfaceGraphOptions& options, double& sid
   result.agreement = side < 0.0 ? 1.0 - sums[same] / area : sums[same] / area;
   result.z_cosine = sign * sums[TowardsZ] / sums[Area];
   result.convex_cosine = sign * sums[Convex] / sums[Area];
+  result.view_cosine = sign * sums[TowardsView] / sums[Area];
   if (options.view_point)
     result.view_spread = 1.0 - sums.segment<3>(ViewX).matrix().norm() / sums[Area];
   return result;

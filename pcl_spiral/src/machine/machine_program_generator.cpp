@@ -197,18 +197,20 @@ ballPasses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
 void
 MachineProgramGenerator::setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
 {
-  settings_.ball_radius = ball_radius;
-  passes_ = ballPasses(path, ball_radius);
+  setInputPasses(ballPasses(path, ball_radius));
+  path_radius_ = ball_radius;
 }
 
 Status
-MachineProgramGenerator::check() const
+MachineProgramGenerator::check(const ProgramSettings& s) const
 {
   if (const Status status = checkMachine(machine_); !status.ok())
     return status;
   if (passes_.empty())
     return {StatusCode::InvalidInput, "no path was given; call setInputPath, setInputPoses or setInputPasses"};
-  const ProgramSettings& s = settings_;
+  if (settings_.ball_radius > 0.0 && s.ball_radius != settings_.ball_radius)
+    return {StatusCode::InvalidArgument, textOf("the ball radius is ", s.ball_radius, " mm in setInputPath and ", settings_.ball_radius,
+                                                " mm in setSettings: give the same, or 0 mm in setSettings")};
   const auto require = [](bool holds, const char* what, double value, const char* rule) {
     return holds ? std::string() : textOf("the ", what, " is ", value, "; ", rule);
   };
@@ -236,17 +238,17 @@ MachineProgramGenerator::check() const
 }
 
 Status
-MachineProgramGenerator::computeProgram(MachineProgram& program) const
+MachineProgramGenerator::computeProgram(const ProgramSettings& settings, MachineProgram& program) const
 {
-  if (const Status status = check(); !status.ok())
+  if (const Status status = check(settings); !status.ok())
     return status;
   const Kinematics kinematics(machine_);
   program.machine = kinematics.machine();
-  program.feed = settings_.feed;
+  program.feed = settings.feed;
   std::vector<MachinePass> passes;
   for (const ToolPoses& poses : passes_) {
     MachinePass pass;
-    if (const Status status = layPass(kinematics, settings_, poses, passes, pass, program.report); !status.ok())
+    if (const Status status = layPass(kinematics, settings, poses, passes, pass, program.report); !status.ok())
       return passes_.size() == 1 ? status : Status(status.code(), textOf("pass ", passes.size() + 1, ": ", status.message()));
     passes.push_back(std::move(pass));
   }
@@ -255,23 +257,23 @@ MachineProgramGenerator::computeProgram(MachineProgram& program) const
   for (const MachinePass& pass : passes)
     for (const MachineLocation& location : pass.path)
       top = std::max(top, location.pose.tip.dot(up));
-  for (int corner = 0; corner < 8 && !settings_.clear_box.isEmpty(); ++corner)
-    top = std::max(top, settings_.clear_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).dot(up));
-  const ToolLeads leads(kinematics, settings_, up, top + settings_.rapid_height);
+  for (int corner = 0; corner < 8 && !settings.clear_box.isEmpty(); ++corner)
+    top = std::max(top, settings.clear_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).dot(up));
+  const ToolLeads leads(kinematics, settings, up, top + settings.rapid_height);
   for (std::size_t k = 0; k < passes.size(); ++k)
     for (const TurnPass& turn : passes[k].turns) {
       if (turn.first > 0)
         program.report.unwound_at.push_back(passes[k].path[turn.first].arc_length);
-      const bool asked = settings_.stay_down > 0.0 && k > 0 && turn.first == 0;
+      const bool asked = settings.stay_down > 0.0 && k > 0 && turn.first == 0;
       const bool blocked = asked && std::find(retracted_.begin(), retracted_.end(), k) != retracted_.end();
       program.report.blocked_links += blocked;
-      addPass(kinematics, settings_, leads, passes[k].path, turn, k, asked && !blocked, program);
+      addPass(kinematics, settings, leads, passes[k].path, turn, k, asked && !blocked, program);
     }
   program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), samePose), program.blocks.end());
   addRetracts(kinematics, program.blocks);
-  setBlockTimes(kinematics, settings_, program);
-  if (holdTinyMoves(kinematics, held_share * settings_.block.tip, program.blocks))
-    setBlockTimes(kinematics, settings_, program);
+  setBlockTimes(kinematics, settings, program);
+  if (holdTinyMoves(kinematics, held_share * settings.block.tip, program.blocks))
+    setBlockTimes(kinematics, settings, program);
   reportAngles(program);
   return checkLimits(kinematics, program.blocks);
 }
@@ -280,7 +282,10 @@ void
 MachineProgramGenerator::compute(MachineProgram& program)
 {
   program = MachineProgram();
-  status_ = computeProgram(program);
+  ProgramSettings used = settings_;
+  if (path_radius_)
+    used.ball_radius = *path_radius_;
+  status_ = computeProgram(used, program);
   if (status_.ok())
     return;
   program = MachineProgram();

@@ -48,6 +48,7 @@ MeshSections::compute(DrivePasses& passes)
   passes.clear();
   report_ = SectionReport();
   surface_mesh_.reset();
+  status_ = Status::unfinished();
   status_ = run(passes);
   if (status_.ok())
     return;

@@ -94,6 +94,19 @@ checkSettings(const SpiralSettings& s)
 }
 
 Status
+checkBasis(const StepOverBasis& made, const StepOverBasis& used, const std::string& what)
+{
+  const auto differs = [](double a, double b) { return a > 0.0 && b > 0.0 && a != b; };
+  const bool radius = differs(made.tool_radius, used.tool_radius);
+  if (!radius && !differs(made.scallop_height, used.scallop_height))
+    return Status::success();
+  return {StatusCode::InvalidArgument,
+          textOf(what, " was made with the ", radius ? "tool radius " : "scallop height ", radius ? made.tool_radius : made.scallop_height,
+                 " mm, but here it is ", radius ? used.tool_radius : used.scallop_height, " mm: set the same (",
+                 radius ? "setToolRadius" : "setScallopHeight", "), or make ", what, " again")};
+}
+
+Status
 checkScale(const Surface& surface, const SpiralSettings& settings, std::vector<std::string>& warnings)
 {
   constexpr double hopeless = 10.0; // times most_path_points: if the area alone needs more, the path is refused at once

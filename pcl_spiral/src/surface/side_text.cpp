@@ -9,6 +9,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double weak_z = 0.4;           // mean cosine: an upright hemisphere has 0.5, a wall 0
+constexpr double clear_z = 0.1;          // mean cosine: +z decides from here on, see chooseOuterSide
 constexpr double agreeing_z = 0.75;      // share of the area: a part with larger undercuts has no side towards +z
 constexpr double weak_view = 0.1;        // mean cosine: at most a flat scan seen under 6 degrees
 constexpr double agreeing_view = 0.9;    // share of the area: a scanner sees only what faces it, but for noise
@@ -60,6 +61,15 @@ viewWarning(const OuterSide& side)
                 remedy);
 }
 
+std::string
+normalsWarning(const OuterSide& side)
+{
+  return textOf("the given normals face away from +z (mean cosine ", rounded(side.z_cosine), "), and the path is on this side",
+                curvedSide(side),
+                ": flip the normals (setFlipNormals) if the cutter comes from +z; else confirm the side with a view "
+                "point on it (setViewPoint)");
+}
+
 bool
 isClear(const OuterSide& side)
 {
@@ -69,7 +79,7 @@ isClear(const OuterSide& side)
   case SideVote::ViewPoint:
     return side.mean_cosine >= weak_view && side.agreement >= agreeing_view && side.view_spread <= surrounding_view;
   case SideVote::GivenNormals:
-    return true;
+    return side.z_cosine > -clear_z || side.view_cosine > 0.0;
   case SideVote::Convex:
     break;
   }
@@ -123,6 +133,8 @@ sideWarnings(const OuterSide& side)
     warnings.push_back(zWarning(side));
   else if (side.vote == SideVote::ViewPoint)
     warnings.push_back(viewWarning(side));
+  else if (side.vote == SideVote::GivenNormals)
+    warnings.push_back(normalsWarning(side));
   else
     warnings.push_back("+z does not show the outer side, so the convex side was taken: give a view point "
                        "(setViewPoint) or flip the normals (setFlipNormals) if the cutter comes from the other side");

@@ -199,10 +199,11 @@ private:
     parts_.clusters = standingPoints(parts_.graph, points).clusters;
     apart.assign(parts_.graph.size(), 0);
     for (StandingCluster& cluster : parts_.clusters)
-      for (std::uint32_t& i : cluster.indices) {
+      for (pcl::index_t& index : cluster.indices) {
+        const auto i = static_cast<std::size_t>(index);
         if (i >= outliers)
           apart[doubtful[i - outliers]] = 1;
-        i = given[i];
+        index = static_cast<pcl::index_t>(given[i]);
       }
   }
 

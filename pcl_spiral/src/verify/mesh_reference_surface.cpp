@@ -63,7 +63,7 @@ ReferenceSurface::takeRims()
   for (const MeshRim& rim : mesh_->rims()) {
     BoundaryLoop loop;
     loop.curve = loop.points = rimCurve(mesh_->mesh(), rim, mesh_->spacing());
-    loop.indices.assign(loop.points.size(), Surface::no_source);
+    loop.indices.assign(loop.points.size(), pcl::UNAVAILABLE);
     loop.type = loops_.empty() ? LoopType::Outer : LoopType::Inner;
     loop.length = rim.length;
     rims_.push_back(loop.curve);

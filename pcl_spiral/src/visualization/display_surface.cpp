@@ -92,9 +92,9 @@ shownPoints(const PictureScene& scene, const DisplaySurface& surface)
   const Eigen::Vector3f low = (surface.low - extra).cast<float>(), high = (surface.high + extra).cast<float>();
   std::vector<bool> on_loop(scene.cloud->size(), false);
   for (const BoundaryLoop& loop : scene.report.loops)
-    for (const std::uint32_t i : loop.indices)
-      if (i < on_loop.size())
-        on_loop[i] = true;
+    for (const pcl::index_t i : loop.indices)
+      if (i >= 0 && static_cast<std::size_t>(i) < on_loop.size())
+        on_loop[static_cast<std::size_t>(i)] = true;
   std::vector<Eigen::Vector3f> points;
   const double share = std::min(1.0, static_cast<double>(most_points) / static_cast<double>(scene.cloud->size()));
   for (std::size_t i = 0; i < scene.cloud->size(); ++i) {

@@ -127,7 +127,7 @@ choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageC
   if (result.mesh)
     keepUsedParts(*result.surface, result);
   for (std::size_t i = 0; echoes && i < result.surface->clusters().size(); ++i)
-    for (const std::uint32_t index : result.surface->clusters()[i].indices)
+    for (const pcl::index_t index : result.surface->clusters()[i].indices)
       result.echoes.push_back((*result.scan.cloud)[index].getVector3fMap());
   clock.end("surface");
 }
@@ -186,15 +186,15 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
   StageClock clock(stages);
   choosePoints(job, strips, bar, clock, result);
   SpiralToolpathGenerator<pcl::PointXYZ> generator;
+  result.settings = settingsFor(job, result);
+  generator.setSettings(result.settings);
   generator.setInputCloud(result.scan.cloud);
   if (result.surface)
     generator.setInputSurface(result.surface);
-  else
+  else {
     setSide(result.side, generator);
-  if (!result.surface)
     setPart(job, result, generator);
-  result.settings = settingsFor(job, result);
-  generator.setSettings(result.settings);
+  }
   if (!result.mesh && !result.part.beside.empty())
     generator.setSurfaceBeyond(surfaceBeyond(*result.surface, result.part.beside, job.settings.tool_radius));
   result.settings.flip_normals = job.settings.flip_normals;

@@ -17,9 +17,13 @@ try {
 
   pcl_spiral::SpiralToolpathGenerator<pcl::PointXYZ> spiral;
   spiral.setInputCloud(scan.cloud);
-  spiral.setToolRadius(10.0);    // mm
-  spiral.setScallopHeight(0.05); // mm
-  spiral.setChordError(0.005);   // mm
+  if (scan.normals)
+    spiral.setInputNormals(scan.normals);
+  if (scan.view_point)
+    spiral.setViewPoint(*scan.view_point); // else the cutter comes from +z
+  spiral.setToolRadius(10.0);              // mm
+  spiral.setScallopHeight(0.05);           // mm
+  spiral.setChordError(0.005);             // mm
   spiral.setProgressCallback([](double share, const std::string& stage) {
     std::cerr << static_cast<int>(100 * share) << " % " << stage << '\n';
     return true; // false cancels

@@ -4,16 +4,17 @@
  */
 #pragma once
 
+#include <pcl/types.h>
+
 #include <Eigen/Core>
 
-#include <cstdint>
 #include <vector>
 
 namespace pcl_spiral {
 
 /** Points near each other that stand off the surface: a screw, a clamp, spatter. Lengths in mm. */
 struct StandingCluster {
-  std::vector<std::uint32_t> indices;              ///< of its points in the cloud
+  pcl::Indices indices;                            ///< of its points in the cloud
   std::vector<Eigen::Vector3f> positions;          ///< of its points, mm
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< its mean
   double size = 0.0;                               ///< diagonal of its box

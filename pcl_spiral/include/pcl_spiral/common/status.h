@@ -28,6 +28,12 @@ public:
   Status(StatusCode code, std::string message) : code_(code), message_(std::move(message)) {} ///< A result with its message.
 
   static Status success() { return Status(StatusCode::Ok, "done"); } ///< Done.
+  /** The status while a computation runs, and after an exception has left it. */
+  static Status unfinished()
+  {
+    return Status(StatusCode::Failed, "compute did not end: an exception left it, as one that the progress callback throws; catch it there "
+                                      "and return false to cancel");
+  }
 
   bool ok() const { return code_ == StatusCode::Ok; } ///< Whether the computation succeeded.
   StatusCode code() const { return code_; }           ///< Why it ended.

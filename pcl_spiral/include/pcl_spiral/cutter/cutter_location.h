@@ -36,11 +36,11 @@ namespace pcl_spiral {
 template <typename PointT>
 class CutterLocation : public MeshInput<PointT> {
 public:
-  CutterLocation() { this->scanned_.setStrict(false); }   // a rough surface is accepted
-  using Ptr = pcl::shared_ptr<CutterLocation>;            ///< A shared pointer.
-  using ConstPtr = pcl::shared_ptr<const CutterLocation>; ///< A shared pointer to a constant one.
-  using Path = pcl::PointCloud<ToolpathPoint>;            ///< A toolpath.
-  using Evaluation = LocationEvaluation;                  ///< How the height of a location is found.
+  CutterLocation() { this->surfaceSettings().strict = false; } // a rough surface is accepted
+  using Ptr = pcl::shared_ptr<CutterLocation>;                 ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const CutterLocation>;      ///< A shared pointer to a constant one.
+  using Path = pcl::PointCloud<ToolpathPoint>;                 ///< A toolpath.
+  using Evaluation = LocationEvaluation;                       ///< How the height of a location is found.
 
   /** Places, axes and, where a contact is asked for, normals. */
   void setDrivePoints(DrivePoints points)

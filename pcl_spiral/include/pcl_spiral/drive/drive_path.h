@@ -46,7 +46,7 @@ namespace pcl_spiral {
 template <typename PointT>
 class DrivePath : public MeshInput<PointT> {
 public:
-  DrivePath() { this->scanned_.setStrict(false); } // a rough surface is accepted, with a warning
+  DrivePath() { this->surfaceSettings().strict = false; } // a rough surface is accepted, with a warning
 
   /** Drives over a mesh. A SurfaceMesh is made of it with default settings. The last input set counts:
    *  cloud, surface or mesh. Planes give the sections of the mesh (MeshSections): contacts with normals, on

@@ -6,6 +6,8 @@
 
 #include <pcl_spiral/core/polyline.h>
 
+#include <pcl/types.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,12 +23,12 @@ enum class LoopType {
 
 /** A closed, oriented loop. The surface lies on its left, seen from outside the material. Millimetres. */
 struct BoundaryLoop {
-  std::vector<std::uint32_t> indices; ///< of the points in the input cloud, in order; Surface::no_source (0xFFFFFFFF): put into a gap
-  Polyline points;                    ///< the positions of these points
-  Polyline curve;                     ///< the outline: a smooth curve fitted to the points, corners kept; closed
-  std::vector<std::size_t> corners;   ///< entries of curve where the outline turns sharply
-  LoopType type = LoopType::Outer;    ///< what it bounds
-  double length = 0.0;                ///< of curve
+  pcl::Indices indices;             ///< of the points in the input cloud, in order; pcl::UNAVAILABLE (-1): put into a gap
+  Polyline points;                  ///< the positions of these points
+  Polyline curve;                   ///< the outline: a smooth curve fitted to the points, corners kept; closed
+  std::vector<std::size_t> corners; ///< entries of curve where the outline turns sharply
+  LoopType type = LoopType::Outer;  ///< what it bounds
+  double length = 0.0;              ///< of curve
 };
 
 /** Which measure makes a boundary point. */

@@ -60,8 +60,8 @@ public:
   double getLargestGap() const { return options_.largest_gap; } ///< The value of setLargestGap.
 
   /** Radius of the largest circle without points that still counts as surface, in spacings; 3 by default. */
-  void setAlpha(double spacings) { this->scanned_.setAlpha(spacings); }
-  double getAlpha() const { return this->scanned_.getAlpha(); } ///< The value of setAlpha.
+  void setAlpha(double spacings) { this->surfaceSettings().alpha = spacings; }
+  double getAlpha() const { return this->surfaceSettings().alpha; } ///< The value of setAlpha.
 
   /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }

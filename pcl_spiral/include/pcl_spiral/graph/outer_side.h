@@ -23,6 +23,7 @@ struct OuterSide {
   double mean_cosine = 1.0;        ///< mean cosine between the normals and the direction of the vote, 0 to 1
   double agreement = 1.0;          ///< share of the area whose normals agree with the vote, 0 to 1
   double z_cosine = 0.0;           ///< mean cosine between the normals and +z, -1 to 1
+  double view_cosine = 0.0;        ///< mean cosine between the normals and the direction of the view point, -1 to 1; 0: none
   double convex_cosine = 0.0;      ///< mean cosine with the direction from the centroid, -1 to 1; below 0: the hollow side
   double view_spread = 0.0;        ///< 1 minus the length of the mean direction to the view point; 1: the surface surrounds it
   double normals_agreement = 0.0;  ///< share of the area whose given normals agree with each other; 0: none were given

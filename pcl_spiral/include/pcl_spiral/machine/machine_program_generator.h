@@ -11,6 +11,8 @@
 
 #include <Eigen/Geometry>
 
+#include <optional>
+
 namespace pcl_spiral {
 
 /** How the tool comes to the path and leaves it. */
@@ -25,7 +27,7 @@ struct ProgramSettings {
   double plunge_feed = 0.0;          ///< of the tip down to the lead, mm/min; 0: the feed
   double lead_feed = 0.0;            ///< of the tip along the leads and off the surface, mm/min; 0: the feed
   double link_feed = 0.0;            ///< of links between passes, mm/min; 0: the feed
-  double ball_radius = 0.0;          ///< of a ball cutter, mm: its centre stays while an axis is blended; 0: no axis is blended
+  double ball_radius = 0.0;          ///< of a ball cutter, mm: its centre stays while an axis is blended; 0: that of the path, else none
   double pole_cone = 5.0;            ///< axes are blended only within this angle of the pole, degrees; elsewhere blocks are slower
   BlockTolerance block;              ///< kept by the machine between poses
   BlockTolerance thinning{0.0, 0.0}; ///< poses are left out within this tolerance; 0: none
@@ -62,10 +64,15 @@ public:
   const Machine& getMachine() const { return machine_; }          ///< The value of setMachine.
 
   /** Poses of any cutter, in travel order. */
-  void setInputPoses(const ToolPoses& poses) { passes_ = {poses}; }
+  void setInputPoses(const ToolPoses& poses) { setInputPasses({poses}); }
   /** The same for several passes: the tool leaves the surface after each pass and comes down to the next. */
-  void setInputPasses(const std::vector<ToolPoses>& passes) { passes_ = passes; }
-  /** Poses of a ball cutter of \p ball_radius mm along the passes of \p path (ballPasses); also sets the ball radius. */
+  void setInputPasses(const std::vector<ToolPoses>& passes)
+  {
+    passes_ = passes;
+    path_radius_.reset();
+  }
+  /** Poses of a ball cutter of \p ball_radius mm along the passes of \p path (ballPasses). This radius counts; one in the settings must
+   *  be the same, or 0. */
   void setInputPath(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);
   const std::vector<ToolPoses>& getInputPasses() const { return passes_; } ///< The value of setInputPasses.
 
@@ -84,11 +91,12 @@ public:
   const Status& getStatus() const { return status_; } ///< Result of the last compute.
 
 private:
-  Status check() const;
-  Status computeProgram(MachineProgram& program) const;
+  Status check(const ProgramSettings& settings) const;
+  Status computeProgram(const ProgramSettings& settings, MachineProgram& program) const;
 
   Machine machine_;
   std::vector<ToolPoses> passes_;
+  std::optional<double> path_radius_; ///< of setInputPath
   std::vector<std::size_t> retracted_;
   ProgramSettings settings_;
   Status status_;

@@ -45,6 +45,7 @@ struct LinkedPath {
   Polyline links;                          ///< places between the turns of ramps and near bridges, where coverage must be checked
   std::vector<StepOverMetric> link_metric; ///< one per place of links
   std::vector<std::size_t> passes;         ///< where the second and each later pass begins, with the tool lifted before; empty: one pass
+  StepOverBasis basis;                     ///< of the loops
   std::vector<LoopJoint> joints;           ///< one for each loop except the rim's; parents before the loops joined to them, except fingers
 
   std::size_t chain_loops = 0; ///< in the spiral from the rim to the innermost loop
@@ -63,7 +64,8 @@ Status linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const 
 
 /** Points of \p path. They are so close that linear moves keep the chord error of \p settings, on the surface and at the ball's
  *  centre, and the longest step. Points within a fifth of the chord error of a straight move are left out. \p longest_step: the
- *  longest move allowed anywhere, mm. The first point of each pass is marked. Fails where the path leaves the surface. */
+ *  longest move allowed anywhere, mm. The first point of each pass is marked. Fails where the path leaves the surface, and for another
+ *  tool radius or scallop height than those of the path. */
 Status samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<SpiralPoint>& points,
                   double& longest_step);
 
@@ -92,7 +94,7 @@ public:
     given_scallop_loops_.clear();
   }
   /** \see FieldInput::setInputSurface */
-  void setInputSurface(const Surface::ConstPtr& surface)
+  void setInputSurface(const Surface::ConstPtr& surface) override
   {
     FieldInput<PointT, PointNT>::setInputSurface(surface);
     given_scallop_loops_.clear();
@@ -115,14 +117,15 @@ public:
   void setOneWay(bool one_way) { this->settings_.one_way = one_way; }
   bool getOneWay() const { return this->settings_.one_way; } ///< The value of setOneWay.
 
-  /** Link the loops. \p path is empty on failure: no loops, a loop without a neighbour beside it, or any failure of StepOverField;
-   *  getStatus reports which and where. */
+  /** Link the loops. \p path is empty on failure: no loops, loops or a field of another tool radius or scallop height, a loop without a
+   *  neighbour beside it, or any failure of StepOverField; getStatus reports which and where. */
   void compute(LinkedPath& path);
 
   /** Figures of the last compute; lengths and places of coverage are 0 without a field. */
   const ScallopFigures& getFigures() const { return figures_; }
 
 private:
+  Status checkGivenBasis() const;
   Status run(LinkedPath& path);
 
   std::vector<ScallopLoop> given_scallop_loops_;

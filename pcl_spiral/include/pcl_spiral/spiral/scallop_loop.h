@@ -12,6 +12,13 @@
 
 namespace pcl_spiral {
 
+/** Tool radius and scallop height that a field, a loop or a path was made with, mm; 0: not known, as of the user's own. A stage that gets
+ *  it refuses to use others. */
+struct StepOverBasis {
+  double tool_radius = 0.0;    ///< of the ball
+  double scallop_height = 0.0; ///< allowed
+};
+
 /** A loop at a whole number of step-overs from the boundaries. Parallel arrays. Places along it are arc lengths in step-overs,
  *  which wrap round. */
 struct ScallopLoop {
@@ -19,6 +26,7 @@ struct ScallopLoop {
   std::vector<StepOverMetric> metric; ///< one per point
   std::vector<double> arcs;           ///< step-overs; one more than points: the last is the whole length
   int level = 0;                      ///< step-overs from the boundaries; 0: a boundary
+  StepOverBasis basis;                ///< what its step-overs are made with
 
   double length() const { return arcs.empty() ? 0.0 : arcs.back(); } ///< Whole length, step-overs.
   /** \p u wrapped into 0 to the length. */

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/surface/surface_settings.h>
 
 #include <Eigen/Core>
 
@@ -67,8 +68,8 @@ enum class SpiralMethod {
   Published        ///< the published method (Wu et al. 2025), for comparison: slower, coarser, only for simple outlines
 };
 
-/** Settings of a spiral toolpath. Lengths in mm, angles in degrees. */
-struct SpiralSettings {
+/** Settings of a spiral toolpath, and of the surface that it runs on. Lengths in mm, angles in degrees. */
+struct SpiralSettings : SurfaceSettings {
   double tool_radius = 0.0;                             ///< ball radius; must be set
   double scallop_height = 0.0;                          ///< allowed height of the ridge between turns; must be set
   double chord_error = 0.005;                           ///< allowed distance between a linear move and the surface curve
@@ -85,8 +86,6 @@ struct SpiralSettings {
   double rim_overhang = 0.0;                            ///< of the pass along the rim: above 0 this far beyond the rim, below 0 inside it
   std::optional<Eigen::Vector3d> centre;                ///< of a surface with one boundary; absent: found
   std::optional<Eigen::Vector3d> start_point;           ///< the path meets the rim nearest here; absent: found
-  std::optional<Eigen::Vector3d> view_point;            ///< normals face it; absent: towards +z as a whole
-  bool flip_normals = false;                            ///< turn all normals to the other side
   BoundaryMode boundary_mode = BoundaryMode::Automatic; ///< between which boundaries the path runs
   SpiralDirection direction = SpiralDirection::Outward; ///< outward or inward
   SpiralSense sense = SpiralSense::CounterClockwise;    ///< which way round
@@ -99,11 +98,6 @@ struct SpiralSettings {
   GapHandling gaps = GapHandling::Bridge;    ///< what to do with gaps in the data
   TightHandling tight = TightHandling::Ride; ///< what to do with places that the ball does not reach
   LineMethod lines = LineMethod::Automatic;  ///< how radial lines are found
-  bool largest_part = false;                 ///< keep only the part with the largest area if there are several
-  double thinning = 0.0;                     ///< voxel edge of the thinning filter; 0: no thinning
-  int outlier_neighbours = 0;                ///< neighbours of the statistical outlier filter; 0: no filter
-  double outlier_deviations = 3.0;           ///< its threshold in standard deviations
-  unsigned int threads = 0;                  ///< 0: all
 };
 
 /** Allowed error of a turn between radial lines, mm: a fiftieth of the step-over on a plane. */

@@ -106,25 +106,7 @@ public:
   const std::optional<Eigen::Vector3d>& getStartPoint() const { return settings_.start_point; } ///< The value of setStartPoint.
   void clearStartPoint() { settings_.start_point.reset(); }                                     ///< Takes back setStartPoint.
 
-  /** Keep one point in each voxel of this edge length, mm; 0, the default: all. \see ScannedSurface::setThinning */
-  void setThinning(double voxel_edge) { settings_.thinning = voxel_edge; }
-  double getThinning() const { return settings_.thinning; } ///< The value of setThinning.
-
-  /** Drop statistical outliers; 0 neighbours, the default: no filter. \see ScannedSurface::setOutlierRemoval */
-  void setOutlierRemoval(int neighbours, double deviations = 3.0)
-  {
-    settings_.outlier_neighbours = neighbours;
-    settings_.outlier_deviations = deviations;
-  }
-  int getOutlierNeighbours() const { return settings_.outlier_neighbours; }    ///< The neighbours of setOutlierRemoval.
-  double getOutlierDeviations() const { return settings_.outlier_deviations; } ///< The deviations of setOutlierRemoval.
-
-  /** Position of the scanner: normals face it. */
-  void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
-  const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; } ///< The value of setViewPoint.
-  void clearViewPoint() { settings_.view_point.reset(); }                                     ///< Takes back setViewPoint.
-
-  /** Every setting at once. */
+  /** Every setting at once, also those of the surface. */
   void setSettings(const SpiralSettings& settings) { settings_ = settings; }
   const SpiralSettings& getSettings() const { return settings_; } ///< The value of setSettings.
 
@@ -185,18 +167,6 @@ public:
   /** How radial lines are found; Automatic by default. Published ignores it. */
   void setLineMethod(LineMethod method) { settings_.lines = method; }
   LineMethod getLineMethod() const { return settings_.lines; } ///< The value of setLineMethod.
-  /** Keep only the part with the largest area if there are several, and report what was left out. Without it, the default,
-   *  several parts are refused. */
-  void setLargestPart(bool alone) { settings_.largest_part = alone; }
-  bool getLargestPart() const { return settings_.largest_part; } ///< The value of setLargestPart.
-  /** Turn all normals to the other side. */
-  void setFlipNormals(bool flip) { settings_.flip_normals = flip; }
-  bool getFlipNormals() const { return settings_.flip_normals; } ///< The value of setFlipNormals.
-
-  /** Threads to use; 0, the default, means all. The output does not depend on it. */
-  void setNumberOfThreads(unsigned int threads = 0) { settings_.threads = threads; }
-  unsigned int getNumberOfThreads() const { return settings_.threads; } ///< The value of setNumberOfThreads.
-
   /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
@@ -209,6 +179,10 @@ public:
 
   /** Loops, lines, counts, times and warnings of the last compute. */
   const SpiralReport& getReport() const { return report_; }
+
+protected:
+  SurfaceSettings& surfaceSettings() override { return settings_; }             ///< Its own.
+  const SurfaceSettings& surfaceSettings() const override { return settings_; } ///< Its own.
 
 private:
   Status makeSurface(Surface::ConstPtr& surface);

@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/spiral/impl/step_over_input.h>
 #include <pcl_spiral/spiral/impl/step_over_mesh.h>
+#include <pcl_spiral/spiral/scallop_loop.h>
 
 #include <memory>
 #include <vector>
@@ -27,6 +28,7 @@ struct StepOverDistance {
   double least_length = 0.0;         ///< mm: integral of dA / largest step-over in any direction, plus half the boundary length
   double usual_edge = 0.0;           ///< median edge of the mesh before it was cut, in step-overs
   double cut_edge = 0.0;             ///< the same of the triangles cut once
+  StepOverBasis basis;               ///< what it was made with
 };
 
 /** D on \p surface between \p outlines, those of its rim and holes. \p progress: called with the share done; false cancels. */

@@ -18,15 +18,15 @@ namespace pcl_spiral {
 /** Feet, unit normals and principal curvatures of points on the moving-least-squares surface of a cloud.
  *
  *  Replaces pcl::MovingLeastSquares: through a pcl::CloudSurfaceProcessing pointer, setInputCloud and process give one foot
- *  per input point. The output has the order of the input. A point without a foot becomes NaN.
+ *  per input point, or per index of setIndices; all points of the cloud support the surface. The output has the order of the queries.
  *  Of the setters of PCL, setSearchRadius and setPolynomialOrder work. setSearchMethod is refused, with a message.
  *
  *  Takes a cloud or a surface, see SurfaceInput. It fits the surface of MlsSurface: a local quadric, or the published
  *  directional centroid. Normals point out of the material. Curvatures are positive where the surface is convex, 1/mm.
  *
  *  PointOutT needs x y z. These fields are filled if present: normal_x y z; principal_curvature_x y z (direction of the larger
- *  curvature), pc1 (the larger), pc2; curvature (the mean of both, signed). A point without a foot becomes NaN,
- *  and the output is then not dense. The output does not depend on the order of the cloud or on the number of threads.
+ *  curvature), pc1 (the larger), pc2; curvature (the mean of both, signed). Other fields that PointInT has, too, are copied from the
+ *  query, header and sensor as well. A point without a foot becomes NaN: the output is then not dense. Order and threads do not count.
  */
 template <typename PointInT, typename PointOutT>
 class MLSProjector : public SurfaceInput<pcl::CloudSurfaceProcessing<PointInT, PointOutT>, PointInT> {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/progress.h>
-#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/surface/surface.h>
 
 #include <pcl/pcl_base.h>
@@ -21,7 +20,8 @@ struct UsablePoints;
  *  Always left out: points that are not finite, exact duplicates, isolated points off the surface, clusters apart from
  *  it, and the surplus where points lie much closer in one direction than in the other. Left out on request: statistical
  *  outliers and thinned points. Points are never moved. PCA finds the normals. They point out of the material, to the side of
- *  the cutter: the side the input normals face as a whole, else the view point, else +z, else the convex side (with a warning).
+ *  the cutter: the side the input normals face as a whole, else the view point, else +z, else the convex side (with a warning). Input
+ *  normals that face away from +z are warned of, unless a view point confirms them: pcl::NormalEstimation turns normals to (0, 0, 0).
  *
  *  setIndices: only those points take part. The others are not used and do not count as left out. Stages that get a cloud make
  *  the same surface by the same rules. To save time, make it once and give it to all stages (setInputSurface).
@@ -34,7 +34,7 @@ struct UsablePoints;
  *  \endcode
  */
 template <typename PointT, typename PointNT = pcl::Normal>
-class ScannedSurface : public pcl::PCLBase<PointT>, public ThreadCount {
+class ScannedSurface : public pcl::PCLBase<PointT> {
 public:
   using Ptr = pcl::shared_ptr<ScannedSurface>;                         ///< A shared pointer.
   using ConstPtr = pcl::shared_ptr<const ScannedSurface>;              ///< A shared pointer to a constant one.
@@ -49,7 +49,8 @@ public:
   void setTrustNormals(bool trust) { settings_.trust_normals = trust; }
   bool getTrustNormals() const { return settings_.trust_normals; } ///< The value of setTrustNormals.
 
-  /** Position of the scanner: normals face it. Without it they face +z as a whole. */
+  /** Position of the scanner: normals face it. Without it, that of the cloud counts if it is not zero (pcl::PointCloud::sensor_origin_,
+   *  VIEWPOINT of a file), else normals face +z as a whole. */
   void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; } ///< The value of setViewPoint.
   void clearViewPoint() { settings_.view_point.reset(); }                                     ///< Takes back setViewPoint.
@@ -102,7 +103,11 @@ public:
   void setStrict(bool strict) { settings_.strict = strict; }
   bool getStrict() const { return settings_.strict; } ///< The value of setStrict.
 
-  /** Set all of the above at once. */
+  /** Threads to use; 0, the default, means all. The output does not depend on it. */
+  void setNumberOfThreads(unsigned int threads = 0) { settings_.threads = threads; }
+  unsigned int getNumberOfThreads() const { return settings_.threads; } ///< The value of setNumberOfThreads.
+
+  /** Set all of the above at once, but for the normals. */
   void setSettings(const SurfaceSettings& settings) { settings_ = settings; }
   const SurfaceSettings& getSettings() const { return settings_; } ///< The value of setSettings.
 
@@ -124,6 +129,7 @@ public:
 
 private:
   Status check() const;
+  SurfaceSettings sidedSettings() const;
   Status filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped, std::vector<LeftOut>& why) const;
   Status run(Surface::ConstPtr& surface);
   Status checkSide(const Surface& surface) const;

@@ -37,7 +37,7 @@ public:
 
   /** Work on this surface, made by ScannedSurface or by another stage. The settings below that define a surface must be
    *  at their defaults, or as the surface was made. Normals must be null, because the surface already has a side. */
-  void setInputSurface(const Surface::ConstPtr& surface) { given_surface_ = surface; }
+  virtual void setInputSurface(const Surface::ConstPtr& surface) { given_surface_ = surface; }
   Surface::ConstPtr getInputSurface() const { return given_surface_; } ///< The value of setInputSurface.
 
   /** Normals of the input cloud, one per point, out of the material. Only the side they face is used. Without them the view
@@ -46,43 +46,47 @@ public:
   NormalsConstPtr getInputNormals() const { return scanned_.getInputNormals(); } ///< The value of setInputNormals.
 
   /** \see ScannedSurface::setTrustNormals */
-  void setTrustNormals(bool trust) { scanned_.setTrustNormals(trust); }
-  bool getTrustNormals() const { return scanned_.getTrustNormals(); } ///< The value of setTrustNormals.
+  void setTrustNormals(bool trust) { surfaceSettings().trust_normals = trust; }
+  bool getTrustNormals() const { return surfaceSettings().trust_normals; } ///< The value of setTrustNormals.
 
-  /** Position of the scanner: normals face it. Without it they face +z as a whole. */
-  void setViewPoint(const Eigen::Vector3d& point) { scanned_.setViewPoint(point); }
-  const std::optional<Eigen::Vector3d>& getViewPoint() const { return scanned_.getViewPoint(); } ///< The value of setViewPoint.
-  void clearViewPoint() { scanned_.clearViewPoint(); }                                           ///< Takes back setViewPoint.
+  /** \see ScannedSurface::setViewPoint */
+  void setViewPoint(const Eigen::Vector3d& point) { surfaceSettings().view_point = point; }
+  const std::optional<Eigen::Vector3d>& getViewPoint() const { return surfaceSettings().view_point; } ///< The value of setViewPoint.
+  void clearViewPoint() { surfaceSettings().view_point.reset(); }                                     ///< Takes back setViewPoint.
 
   /** Turn all normals to the other side. */
-  void setFlipNormals(bool flip) { scanned_.setFlipNormals(flip); }
-  bool getFlipNormals() const { return scanned_.getFlipNormals(); } ///< The value of setFlipNormals.
+  void setFlipNormals(bool flip) { surfaceSettings().flip_normals = flip; }
+  bool getFlipNormals() const { return surfaceSettings().flip_normals; } ///< The value of setFlipNormals.
 
   /** \see ScannedSurface::setThinning */
-  void setThinning(double voxel_edge) { scanned_.setThinning(voxel_edge); }
-  double getThinning() const { return scanned_.getThinning(); } ///< The value of setThinning.
+  void setThinning(double voxel_edge) { surfaceSettings().thinning = voxel_edge; }
+  double getThinning() const { return surfaceSettings().thinning; } ///< The value of setThinning.
 
   /** \see ScannedSurface::setOutlierRemoval */
-  void setOutlierRemoval(int neighbours, double deviations = 3.0) { scanned_.setOutlierRemoval(neighbours, deviations); }
-  int getOutlierNeighbours() const { return scanned_.getOutlierNeighbours(); }    ///< The neighbours of setOutlierRemoval.
-  double getOutlierDeviations() const { return scanned_.getOutlierDeviations(); } ///< The deviations of setOutlierRemoval.
+  void setOutlierRemoval(int neighbours, double deviations = 3.0)
+  {
+    surfaceSettings().outlier_neighbours = neighbours;
+    surfaceSettings().outlier_deviations = deviations;
+  }
+  int getOutlierNeighbours() const { return surfaceSettings().outlier_neighbours; }    ///< The neighbours of setOutlierRemoval.
+  double getOutlierDeviations() const { return surfaceSettings().outlier_deviations; } ///< The deviations of setOutlierRemoval.
 
   /** \see ScannedSurface::setLargestPart */
-  void setLargestPart(bool alone) { scanned_.setLargestPart(alone); }
-  bool getLargestPart() const { return scanned_.getLargestPart(); } ///< The value of setLargestPart.
+  void setLargestPart(bool alone) { surfaceSettings().largest_part = alone; }
+  bool getLargestPart() const { return surfaceSettings().largest_part; } ///< The value of setLargestPart.
 
   /** \see ScannedSurface::setPartAt */
-  void setPartAt(const Eigen::Vector3d& place) { scanned_.setPartAt(place); }
-  const std::optional<Eigen::Vector3d>& getPartAt() const { return scanned_.getPartAt(); } ///< The value of setPartAt.
-  void clearPartAt() { scanned_.clearPartAt(); }                                           ///< Takes back setPartAt.
+  void setPartAt(const Eigen::Vector3d& place) { surfaceSettings().part_at = place; }
+  const std::optional<Eigen::Vector3d>& getPartAt() const { return surfaceSettings().part_at; } ///< The value of setPartAt.
+  void clearPartAt() { surfaceSettings().part_at.reset(); }                                     ///< Takes back setPartAt.
 
   /** \see ScannedSurface::setClusterHandling */
-  void setClusterHandling(ClusterHandling handling) { scanned_.setClusterHandling(handling); }
-  ClusterHandling getClusterHandling() const { return scanned_.getClusterHandling(); } ///< The value of setClusterHandling.
+  void setClusterHandling(ClusterHandling handling) { surfaceSettings().clusters = handling; }
+  ClusterHandling getClusterHandling() const { return surfaceSettings().clusters; } ///< The value of setClusterHandling.
 
   /** Threads to use; 0, the default, means all. The output does not depend on it. */
-  void setNumberOfThreads(unsigned int threads = 0) { scanned_.setNumberOfThreads(threads); }
-  unsigned int getNumberOfThreads() const { return scanned_.getNumberOfThreads(); } ///< The value of setNumberOfThreads.
+  void setNumberOfThreads(unsigned int threads = 0) { surfaceSettings().threads = threads; }
+  unsigned int getNumberOfThreads() const { return surfaceSettings().threads; } ///< The value of setNumberOfThreads.
 
   /** If true, compute prints nothing to the console when it fails; false by default. The status is the same. */
   void setQuiet(bool quiet) { quiet_ = quiet; }
@@ -116,13 +120,19 @@ protected:
   /** The given surface, or one made from the cloud. \p progress reports only the second case. */
   Status prepareSurface(Surface::ConstPtr& surface, const ProgressCallback& progress = {})
   {
+    return prepareSurface(surface, progress, givenIndices());
+  }
+
+  /** The same, made from the points \p support of the cloud; null: from all. */
+  Status prepareSurface(Surface::ConstPtr& surface, const ProgressCallback& progress, const pcl::IndicesPtr& support)
+  {
     if (const Status status = checkInput(); !status.ok())
       return status;
     if (given_surface_) {
       if (scanned_.getInputNormals())
         return {StatusCode::InvalidArgument, "setInputNormals was called beside setInputSurface, whose surface has its side already: "
                                              "call setInputNormals with a null pointer, or give a cloud instead of a surface"};
-      const std::string setter = disagreement(scanned_.getSettings(), given_surface_->settings());
+      const std::string setter = disagreement(surfaceSettings(), given_surface_->settings());
       surface = given_surface_;
       return setter.empty() ? Status::success()
                             : Status(StatusCode::InvalidArgument,
@@ -130,27 +140,41 @@ protected:
                                               "it on the ScannedSurface, or give a cloud instead of a surface");
     }
     scanned_.setInputCloud(this->input_);
-    scanned_.setIndices(givenIndices());
+    scanned_.setIndices(support);
+    scanned_.setSettings(surfaceSettings());
     scanned_.setProgressCallback(progress);
     scanned_.setQuiet(true);
     scanned_.compute(surface);
     return scanned_.getStatus();
   }
 
-  /** Print the error of the last compute of \p name to the console. Prints nothing if it was cancelled. */
-  void tellFailure(const char* name) const
+  /** Sets the status by \p run(); true if it is ok. Prints the error of the compute of \p name, unless it was cancelled. If an exception
+   *  leaves \p run, the status is Status::unfinished. */
+  template <typename Run>
+  bool computeBy(const char* name, Run run)
   {
+    status_ = Status::unfinished();
+    status_ = run();
     if (!quiet_ && !status_.ok() && status_.code() != StatusCode::Cancelled)
       PCL_ERROR("[pcl_spiral::%s::compute] %s\n", name, status_.message().c_str());
+    return status_.ok();
   }
+
+  /** The settings of the surface. A class that has them among its own settings gives those, so that each has one owner. */
+  virtual SurfaceSettings& surfaceSettings() { return surface_settings_; }
+  /** \copydoc surfaceSettings */
+  virtual const SurfaceSettings& surfaceSettings() const { return surface_settings_; }
 
   /** The indices of setIndices; null without them. */
   pcl::IndicesPtr givenIndices() const { return this->fake_indices_ ? nullptr : this->indices_; }
 
-  ScannedSurface<PointT, PointNT> scanned_; ///< holds the settings of the stage
+  ScannedSurface<PointT, PointNT> scanned_; ///< makes the surface; holds the normals
   Surface::ConstPtr given_surface_;         ///< of setInputSurface; null: the cloud counts
   bool quiet_ = false;                      ///< of setQuiet
   Status status_;                           ///< of the last compute
+
+private:
+  SurfaceSettings surface_settings_; ///< unless a class has its own
 };
 
 } // namespace pcl_spiral

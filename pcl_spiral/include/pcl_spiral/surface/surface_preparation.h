@@ -106,7 +106,7 @@ public:
   const Status& getStatus() const { return status_; }        ///< result of the last run
   const SurfaceCounts& getCounts() const { return counts_; } ///< What happened to the points in the last run.
   /** Index in the input of each output point. */
-  const std::vector<std::uint32_t>& getSourceIndices() const { return source_indices_; }
+  const pcl::Indices& getSourceIndices() const { return source_indices_; }
   /** The surface of the last run, for the stages that follow (setInputSurface); null before a run and on failure. */
   Surface::ConstPtr getSurface() const { return surface_; }
   /** The former name of getSurface()->graph(); empty before the first run and on failure. */
@@ -127,7 +127,7 @@ private:
   Surface::ConstPtr surface_;
   Status status_;
   SurfaceCounts counts_;
-  std::vector<std::uint32_t> source_indices_;
+  pcl::Indices source_indices_;
 };
 
 } // namespace pcl_spiral

@@ -130,6 +130,8 @@ readCloud(const std::string& file, const ReadOptions& options)
   if (extension == ".pcd")
     if (const auto place = readPcdViewPoint(file, bytes, table))
       scan.view_point = millimetres(options.unit) * (*place - options.origin) - scan.shift;
+  if (scan.view_point)
+    scan.cloud->sensor_origin_.head<3>() = scan.view_point->cast<float>();
   return scan;
 }
 

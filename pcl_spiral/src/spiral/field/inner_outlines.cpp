@@ -137,7 +137,7 @@ loopAlong(const Surface& surface, Polyline curve, LoopType type)
   for (const Eigen::Vector3d& p : curve)
     if (const std::uint32_t nearest = surface.graph().blocks().nearest(p); nearest != last) {
       loop.points.push_back(surface.position(nearest));
-      loop.indices.push_back(surface.sourceIndex(nearest));
+      loop.indices.push_back(static_cast<pcl::index_t>(surface.sourceIndex(nearest)));
       last = nearest;
     }
   loop.curve = std::move(curve);

@@ -173,6 +173,7 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
   const auto part = [&progress](double from, double to) { return partOf(progress, from, to, "step-over field"); };
   const auto go_on = [&progress](double share) { return !progress || progress(share, "step-over field"); };
   field = StepOverDistance();
+  field.basis = {options.tool_radius, options.scallop_height};
   if (!go_on(0.0))
     return cancelled;
   StepOverMesh coarse;

@@ -160,6 +160,7 @@ Status
 linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start, bool one_way)
 {
   path = LinkedPath();
+  path.basis = loops.front().basis;
   CutLoops cuts(loops);
   auto finder = std::make_unique<const LoopFinder>(loops);
   const std::size_t innermost = innermostOf(loops);

@@ -31,6 +31,7 @@ pathOf(const ScallopLoop& loop, std::size_t number, bool clockwise)
   for (std::size_t i = 0; i < n; ++i)
     path.turns.push_back(static_cast<float>(number) + static_cast<float>(i) / static_cast<float>(n - 1));
   path.reversed.assign(n, 0);
+  path.basis = loop.basis;
   return path;
 }
 
@@ -79,6 +80,9 @@ checkScallopLoops(const std::vector<ScallopLoop>& loops)
       return wrong(i, textOf("at ", placeText(loop.points.front()), " has the length ", loop.length(),
                              " step-overs: remove the loop, or call measure"));
   }
+  for (std::size_t i = 1; i < loops.size(); ++i)
+    if (const Status status = checkBasis(loops[i].basis, loops.front().basis, textOf("loop ", i)); !status.ok())
+      return status;
   if (loops.front().level != 0)
     return wrong(0, textOf("at ", placeText(loops.front().points.front()), " has the level ", loops.front().level,
                            ", but the first loop must be the outer rim, of level 0: put the rim first"));

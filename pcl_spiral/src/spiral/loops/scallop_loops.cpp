@@ -361,7 +361,11 @@ makeScallopLoops(const StepOverDistance& field, const ProgressCallback& progress
   if (!go_on())
     return false;
   const RidgeClimb climb(field);
-  return go_on() && LoopMaker(field, band, climb, progress, set).run();
+  if (!go_on() || !LoopMaker(field, band, climb, progress, set).run())
+    return false;
+  for (ScallopLoop& loop : set.loops)
+    loop.basis = field.basis;
+  return true;
 }
 
 } // namespace pcl_spiral

@@ -111,6 +111,8 @@ samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings&
            double& longest_step)
 {
   points.clear();
+  if (const Status status = checkBasis(path.basis, {settings.tool_radius, settings.scallop_height}, "the linked path"); !status.ok())
+    return status;
   std::vector<double> steps;
   if (const Status status = allowedSteps(path, surface, settings, steps); !status.ok())
     return status;

@@ -115,7 +115,7 @@ CutterLocation<PointT>::checkBesideMesh() const
 {
   if (given_location_)
     return {StatusCode::InvalidArgument, "setLocationSurface was called beside setInputMesh, whose surface is its own: leave it out"};
-  if (const Status status = pcl_spiral::checkBesideMesh(this->scanned_.getSettings(), this->scanned_.getInputNormals() != nullptr,
+  if (const Status status = pcl_spiral::checkBesideMesh(this->surfaceSettings(), this->scanned_.getInputNormals() != nullptr,
                                                         this->givenIndices() != nullptr);
       !status.ok())
     return status;
@@ -230,9 +230,9 @@ template <typename PointT>
 void
 CutterLocation<PointT>::compute(ToolLocations& locations)
 {
+  locations.clear();
   std::vector<ToolLocations> passes;
   compute(passes);
-  locations.clear();
   for (const ToolLocations& pass : passes)
     locations.insert(locations.end(), pass.begin(), pass.end());
 }
@@ -245,10 +245,8 @@ CutterLocation<PointT>::compute(std::vector<ToolLocations>& passes)
   figures_ = LocationFigures();
   bisection_figures_ = BisectionFigures();
   location_surface_.reset();
-  this->status_ = run(passes);
-  if (!this->status_.ok())
+  if (!this->computeBy("CutterLocation", [&] { return run(passes); }))
     passes.clear();
-  this->tellFailure("CutterLocation");
 }
 
 } // namespace pcl_spiral

@@ -13,7 +13,7 @@ Status
 DrivePath<PointT>::runOnMesh(DrivePasses& passes)
 {
   if (const Status status =
-          checkBesideMesh(this->scanned_.getSettings(), this->scanned_.getInputNormals() != nullptr, this->givenIndices() != nullptr);
+          checkBesideMesh(this->surfaceSettings(), this->scanned_.getInputNormals() != nullptr, this->givenIndices() != nullptr);
       !status.ok())
     return status;
   if (const Status status = checkSettings(settings_); !status.ok())
@@ -50,10 +50,8 @@ DrivePath<PointT>::compute(DrivePasses& passes)
 {
   passes.clear();
   report_ = DriveReport();
-  this->status_ = run(passes);
-  if (!this->status_.ok())
+  if (!this->computeBy("DrivePath", [&] { return run(passes); }))
     passes.clear();
-  this->tellFailure("DrivePath");
 }
 
 } // namespace pcl_spiral

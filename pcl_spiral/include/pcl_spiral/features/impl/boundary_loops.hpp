@@ -37,10 +37,8 @@ BoundaryLoops<PointT, PointNT>::compute(std::vector<BoundaryLoop>& loops)
 {
   loops.clear();
   counts_ = BoundaryCounts();
-  this->status_ = run(loops);
-  if (!this->status_.ok())
+  if (!this->computeBy("BoundaryLoops", [&] { return run(loops); }))
     loops.clear();
-  this->tellFailure("BoundaryLoops");
 }
 
 } // namespace pcl_spiral

@@ -100,8 +100,8 @@ GeodesicPath<PointT, PointNT>::compute(std::vector<Polyline>& paths)
 {
   lines_.clear();
   lengths_.clear();
-  this->status_ = run();
-  this->tellFailure("GeodesicPath");
+  paths.clear();
+  this->computeBy("GeodesicPath", [&] { return run(); });
   paths.assign(targets_.size(), Polyline());
   for (std::size_t i = 0; i < lines_.size(); ++i)
     if (!lines_[i].left_surface)
@@ -112,6 +112,7 @@ template <typename PointT, typename PointNT>
 void
 GeodesicPath<PointT, PointNT>::compute(std::vector<PointCloud>& paths)
 {
+  paths.clear();
   std::vector<Polyline> lines;
   compute(lines);
   paths.assign(lines.size(), PointCloud());

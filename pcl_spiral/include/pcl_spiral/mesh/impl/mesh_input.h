@@ -38,7 +38,7 @@ public:
     forgetInputs(false);
   }
   /** \see SurfaceInput::setInputSurface */
-  void setInputSurface(const Surface::ConstPtr& surface)
+  void setInputSurface(const Surface::ConstPtr& surface) override
   {
     SurfaceInput<pcl::PCLBase<PointT>, PointT>::setInputSurface(surface);
     forgetInputs(false);

@@ -43,10 +43,10 @@ void
 RidgeLines<PointT>::compute(Cloud& rail, Cloud& generator)
 {
   found_ = ScanRidge();
-  this->status_ = run();
-  if (!this->status_.ok())
+  rail.clear();
+  generator.clear();
+  if (!this->computeBy("RidgeLines", [&] { return run(); }))
     found_ = ScanRidge();
-  this->tellFailure("RidgeLines");
   detail::toCloud(found_.rail, rail);
   detail::toCloud(found_.generator, generator);
 }

@@ -42,6 +42,7 @@ RidgeToolpath<PointT>::compute(DrivePasses& passes)
   passes.clear();
   ridge_.reset();
   report_ = RidgeRowReport();
+  status_ = Status::unfinished();
   status_ = run(passes);
   if (!status_.ok())
     passes.clear();

@@ -34,10 +34,8 @@ void
 GapBridging<PointT, PointNT>::compute(BridgedSurface& bridged)
 {
   bridged = BridgedSurface();
-  this->status_ = run(bridged);
-  if (!this->status_.ok())
+  if (!this->computeBy("GapBridging", [&] { return run(bridged); }))
     bridged = BridgedSurface();
-  this->tellFailure("GapBridging");
   gaps_ = bridged.gaps;
   warnings_ = bridged.warnings;
 }
@@ -46,6 +44,8 @@ template <typename PointT, typename PointNT>
 void
 GapBridging<PointT, PointNT>::compute(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops)
 {
+  surface.reset();
+  loops.clear();
   BridgedSurface bridged;
   compute(bridged);
   surface = bridged.surface;

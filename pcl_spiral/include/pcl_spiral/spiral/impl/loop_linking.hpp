@@ -10,6 +10,18 @@
 
 namespace pcl_spiral {
 
+/** Ok, or an error if the given loops were made otherwise than the settings or the given field. */
+template <typename PointT, typename PointNT>
+Status
+LoopLinking<PointT, PointNT>::checkGivenBasis() const
+{
+  const StepOverBasis basis = given_scallop_loops_.empty() ? StepOverBasis() : given_scallop_loops_.front().basis;
+  if (const Status status = checkBasis(basis, {this->settings_.tool_radius, this->settings_.scallop_height}, "the set of loops");
+      !status.ok() || !this->given_field_)
+    return status;
+  return checkBasis(basis, this->given_field_->basis, "the set of loops");
+}
+
 template <typename PointT, typename PointNT>
 Status
 LoopLinking<PointT, PointNT>::run(LinkedPath& path)
@@ -19,8 +31,9 @@ LoopLinking<PointT, PointNT>::run(LinkedPath& path)
   if (const Status status = this->checkShared(); !status.ok())
     return status;
   if (given)
-    if (const Status status = checkScallopLoops(given_scallop_loops_); !status.ok())
-      return status;
+    for (const Status& status : {checkScallopLoops(given_scallop_loops_), checkGivenBasis()})
+      if (!status.ok())
+        return status;
   StepOverDistance::ConstPtr field;
   if (!given || this->given_field_ || !nothing_else) {
     Surface::ConstPtr surface;
@@ -46,12 +59,10 @@ LoopLinking<PointT, PointNT>::compute(LinkedPath& path)
   figures_ = ScallopFigures();
   this->warnings_.clear();
   const ThreadLimit limit(this->getNumberOfThreads());
-  this->status_ = run(path);
-  if (!this->status_.ok()) {
+  if (!this->computeBy("LoopLinking", [&] { return run(path); })) {
     path = LinkedPath();
     figures_ = ScallopFigures();
   }
-  this->tellFailure("LoopLinking");
 }
 
 } // namespace pcl_spiral

@@ -62,14 +62,12 @@ RadialLines<PointT, PointNT>::compute(std::vector<RadialLine>& lines)
   set_ = RadialLineSet();
   loops_.clear();
   lines.clear();
-  this->status_ = run();
-  if (this->status_.ok())
+  if (this->computeBy("RadialLines", [&] { return run(); }))
     lines = std::move(set_.lines);
   else {
     set_ = RadialLineSet();
     loops_.clear();
   }
-  this->tellFailure("RadialLines");
   set_.lines.clear();
 }
 
@@ -77,6 +75,7 @@ template <typename PointT, typename PointNT>
 void
 RadialLines<PointT, PointNT>::compute(RadialLineSet& set)
 {
+  set = RadialLineSet();
   std::vector<RadialLine> lines;
   compute(lines);
   set = set_;

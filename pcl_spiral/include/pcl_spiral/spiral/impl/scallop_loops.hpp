@@ -44,10 +44,8 @@ ScallopLoops<PointT, PointNT>::compute(ScallopLoopSet& set)
   this->warnings_.clear();
   const ThreadLimit limit(this->getNumberOfThreads());
   Surface::ConstPtr surface;
-  this->status_ = run(surface, this->progress_, set);
-  if (!this->status_.ok())
+  if (!this->computeBy("ScallopLoops", [&] { return run(surface, this->progress_, set); }))
     set = ScallopLoopSet();
-  this->tellFailure("ScallopLoops");
 }
 
 template <typename PointT, typename PointNT>
@@ -57,10 +55,8 @@ ScallopLoops<PointT, PointNT>::compute(DrivePasses& passes)
   passes.clear();
   this->warnings_.clear();
   const ThreadLimit limit(this->getNumberOfThreads());
-  this->status_ = runPasses(passes);
-  if (!this->status_.ok())
+  if (!this->computeBy("ScallopLoops", [&] { return runPasses(passes); }))
     passes.clear();
-  this->tellFailure("ScallopLoops");
 }
 
 } // namespace pcl_spiral

@@ -29,15 +29,6 @@ template <typename PointInT, typename PointNT, typename PointOutT>
 Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeSurface(Surface::ConstPtr& surface)
 {
-  SurfaceSettings asked = this->scanned_.getSettings();
-  asked.view_point = settings_.view_point;
-  asked.flip_normals = settings_.flip_normals;
-  asked.largest_part = settings_.largest_part;
-  asked.thinning = settings_.thinning;
-  asked.outlier_neighbours = settings_.outlier_neighbours;
-  asked.outlier_deviations = settings_.outlier_deviations;
-  this->scanned_.setSettings(asked);
-  this->scanned_.setNumberOfThreads(settings_.threads);
   if (const Status status = this->prepareSurface(surface, partOf(progress_, 0.0, 0.25)); !status.ok())
     return status;
   reportSurface(*surface, !this->given_surface_, report_);
@@ -178,9 +169,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
   report_ = SpiralReport();
   StageClock clock(report_.stages);
   SpiralPath spiral;
-  this->status_ = run(clock, spiral);
-  this->tellFailure("SpiralToolpathGenerator");
-  if (!this->status_.ok())
+  if (!this->computeBy("SpiralToolpathGenerator", [&] { return run(clock, spiral); }))
     return;
   const ThreadLimit limit(settings_.threads);
   path.resize(spiral.contacts.size());

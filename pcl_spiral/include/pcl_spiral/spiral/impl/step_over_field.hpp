@@ -15,17 +15,18 @@ StepOverField<PointT, PointNT>::compute(StepOverDistance::ConstPtr& field)
   this->warnings_.clear();
   const ThreadLimit limit(this->getNumberOfThreads());
   Surface::ConstPtr surface;
-  this->status_ = this->makeField(surface, field, this->progress_);
-  this->tellFailure("StepOverField");
+  this->computeBy("StepOverField", [&] { return this->makeField(surface, field, this->progress_); });
 }
 
 template <typename PointT, typename PointNT>
 void
 StepOverField<PointT, PointNT>::compute(StepOverDistance& field)
 {
+  field = StepOverDistance();
   StepOverDistance::ConstPtr made;
   compute(made);
-  field = made ? *made : StepOverDistance();
+  if (made)
+    field = *made;
 }
 
 } // namespace pcl_spiral

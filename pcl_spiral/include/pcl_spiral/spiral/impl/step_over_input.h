@@ -42,6 +42,9 @@ public:
   const std::vector<std::string>& getWarnings() const { return warnings_; }
 
 protected:
+  SurfaceSettings& surfaceSettings() override { return settings_; }             ///< Its own.
+  const SurfaceSettings& surfaceSettings() const override { return settings_; } ///< Its own.
+
   /** The given surface, or one made from the cloud, and the field between its loops. */
   Status makeField(Surface::ConstPtr& surface, std::shared_ptr<const StepOverDistance>& field, const ProgressCallback& progress);
 
@@ -57,8 +60,8 @@ class FieldInput : public StepOverInput<PointT, PointNT> {
 public:
   using FieldConstPtr = std::shared_ptr<const StepOverDistance>; ///< A field, shared.
 
-  /** Work on this field, made by StepOverField, with the loops, radius and height it was made with. Null, the default: it is
-   *  made from the cloud or surface by the same rules. setInputCloud and setInputSurface clear it: call this after them. */
+  /** Work on this field, made by StepOverField, with the loops, radius and height it was made with; others are refused. Null, the
+   *  default: it is made from the cloud or surface by the same rules. setInputCloud and setInputSurface clear it: call this after them. */
   void setInputField(const FieldConstPtr& field) { given_field_ = field; }
   FieldConstPtr getInputField() const { return given_field_; } ///< The value of setInputField.
 
@@ -69,7 +72,7 @@ public:
     given_field_.reset();
   }
   /** \see SurfaceInput::setInputSurface */
-  void setInputSurface(const Surface::ConstPtr& surface)
+  void setInputSurface(const Surface::ConstPtr& surface) override
   {
     StepOverInput<PointT, PointNT>::setInputSurface(surface);
     given_field_.reset();

@@ -48,6 +48,9 @@ FieldInput<PointT, PointNT>::takeField(Surface::ConstPtr& surface, FieldConstPtr
   if (const Status status = this->checkShared(); !status.ok())
     return status;
   field = given_field_;
+  if (const Status status = checkBasis(field->basis, {this->settings_.tool_radius, this->settings_.scallop_height}, "the field");
+      !status.ok())
+    return status;
   return checkField(*field);
 }
 

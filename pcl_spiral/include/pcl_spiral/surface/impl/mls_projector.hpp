@@ -7,6 +7,7 @@
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/surface/mls_projector.h>
 
+#include <pcl/common/io.h>
 #include <pcl/surface/impl/processing.hpp>
 #include <pcl/type_traits.h>
 
@@ -103,7 +104,7 @@ MLSProjector<PointInT, PointOutT>::run(std::vector<SurfaceFoot>& feet)
   if (const Status status = check(); !status.ok())
     return status;
   Surface::ConstPtr surface;
-  if (const Status status = this->prepareSurface(surface); !status.ok())
+  if (const Status status = this->prepareSurface(surface, {}, nullptr); !status.ok())
     return status;
   int neighbours = neighbours_;
   if (search_radius_ > 0.0) {
@@ -131,9 +132,16 @@ MLSProjector<PointInT, PointOutT>::write(const std::vector<SurfaceFoot>& feet, P
   nowhere.direction1.setConstant(nan);
   nowhere.curvature1 = nowhere.curvature2 = nan;
   PointCloudOut made;
-  if (queries_ || this->input_)
-    made.header = queries_ ? queries_->header : this->input_->header;
   made.resize(feet.size());
+  const PointCloudInConstPtr source = queries_ ? queries_ : this->input_;
+  if (source) {
+    made.header = source->header;
+    made.sensor_origin_ = source->sensor_origin_;
+    made.sensor_orientation_ = source->sensor_orientation_;
+    const bool all = wholeQueryCloud() != nullptr;
+    for (std::size_t i = 0; i < feet.size(); ++i)
+      pcl::copyPoint((*source)[all ? i : static_cast<std::size_t>((*this->indices_)[i])], made[i]);
+  }
   made.is_dense = true;
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const SurfaceFoot& foot = feet[i].valid ? feet[i] : nowhere;
@@ -160,14 +168,13 @@ MLSProjector<PointInT, PointOutT>::compute(PointCloudOut& output)
   smaller_curvature_.clear();
   noise_ = 0.0;
   neighbours_used_ = 0;
-  std::vector<SurfaceFoot> feet;
-  this->status_ = run(feet);
-  if (!this->status_.ok()) {
-    this->tellFailure("MLSProjector");
+  if (static_cast<const void*>(&output) != this->input_.get() && static_cast<const void*>(&output) != queries_.get())
     output.clear();
-    return;
-  }
-  write(feet, output);
+  std::vector<SurfaceFoot> feet;
+  if (this->computeBy("MLSProjector", [&] { return run(feet); }))
+    write(feet, output);
+  else
+    output.clear();
 }
 
 } // namespace pcl_spiral

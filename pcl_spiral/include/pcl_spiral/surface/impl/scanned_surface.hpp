@@ -34,7 +34,7 @@ ScannedSurface<PointT, PointNT>::check() const
   const std::size_t size = this->input_->size();
   if (const Status status = checkNormals(size); !status.ok())
     return status;
-  if (const Status status = checkThreads(thread_count_); !status.ok())
+  if (const Status status = checkThreads(settings_.threads); !status.ok())
     return status;
   if (settings_.outlier_neighbours < 0 || !(settings_.outlier_deviations > 0.0))
     return {StatusCode::InvalidArgument,
@@ -50,6 +50,18 @@ ScannedSurface<PointT, PointNT>::check() const
   if (settings_.view_point && !settings_.view_point->allFinite())
     return {StatusCode::InvalidArgument, "the view point is not finite: give the place where the scanner stood"};
   return checkIndices(givenIndices(), size);
+}
+
+/** The settings, with the place of the sensor in the cloud as the view point if none was set. */
+template <typename PointT, typename PointNT>
+SurfaceSettings
+ScannedSurface<PointT, PointNT>::sidedSettings() const
+{
+  SurfaceSettings settings = settings_;
+  const Eigen::Vector3f sensor = this->input_->sensor_origin_.template head<3>();
+  if (!settings.view_point && sensor.allFinite() && !sensor.isZero(0.0f))
+    settings.view_point = sensor.cast<double>();
+  return settings;
 }
 
 /** Run the statistical filter and thinning, and record what they drop. */
@@ -92,7 +104,7 @@ ScannedSurface<PointT, PointNT>::addLeftOut(const std::vector<std::uint32_t>& in
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return indices[a] < indices[b]; });
   for (const std::size_t i : order) {
     points.positions.push_back((*this->input_)[indices[i]].getVector3fMap());
-    points.indices.push_back(indices[i]);
+    points.indices.push_back(static_cast<pcl::index_t>(indices[i]));
     points.why.push_back(why[i]);
   }
 }
@@ -101,7 +113,7 @@ template <typename PointT, typename PointNT>
 Status
 ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
 {
-  const ThreadLimit limit(thread_count_);
+  const ThreadLimit limit(settings_.threads);
   if (const Status status = check(); !status.ok())
     return status;
   const auto going = [&](double share) { return !progress_ || progress_(share, "surface"); };
@@ -132,8 +144,16 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
   points.source = usable.source;
   Surface::Parts parts;
   std::vector<std::int8_t> why;
-  if (const Status status = makeSurface(std::move(points), settings_, counts, parts, why); !status.ok())
+  const bool no_normal =
+      normals_ && std::all_of(points.normals.begin(), points.normals.end(), [](const auto& n) { return n.isZero(0.0f); });
+  if (no_normal && settings_.strict && settings_.trust_normals)
+    return {StatusCode::InvalidInput, textOf("none of the ", points.normals.size(),
+                                             " input normals has a direction, they are all zero or not numbers: give normals out of the "
+                                             "material, or none (setInputNormals with a null pointer)")};
+  if (const Status status = makeSurface(std::move(points), sidedSettings(), counts, parts, why); !status.ok())
     return status;
+  if (no_normal)
+    parts.warnings.push_back("the input normals are all zero or not numbers, and were not used");
   for (std::uint32_t i = 0; i < why.size(); ++i)
     if (why[i] >= 0) {
       dropped.push_back(all ? i : usable.source[i]);
@@ -141,8 +161,8 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
     }
   addLeftOut(dropped, reasons, parts.left_out);
   for (StandingCluster& cluster : parts.clusters)
-    for (std::uint32_t& i : cluster.indices)
-      i = all ? i : usable.source[i];
+    for (pcl::index_t& i : cluster.indices)
+      i = all ? i : static_cast<pcl::index_t>(usable.source[static_cast<std::size_t>(i)]);
   parts.input_size = this->input_->size();
   const auto made = std::make_shared<Surface>(std::move(parts));
   if (const Status status = settings_.strict ? checkSingleSheet(*made) : Status::success(); !status.ok())
@@ -179,6 +199,7 @@ void
 ScannedSurface<PointT, PointNT>::compute(Surface::ConstPtr& surface)
 {
   surface.reset();
+  status_ = Status::unfinished();
   status_ = run(surface);
   if (!quiet_ && !status_.ok() && status_.code() != StatusCode::Cancelled)
     PCL_ERROR("[pcl_spiral::ScannedSurface::compute] %s\n", status_.message().c_str());

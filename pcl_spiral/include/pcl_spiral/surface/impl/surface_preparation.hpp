@@ -55,7 +55,7 @@ SurfacePreparation<PointT>::applyFilter(PointCloud& output)
   std::vector<std::uint8_t> kept(this->input_->size(), 0);
   output.reserve(surface_->size());
   for (std::size_t i = 0; i < surface_->size(); ++i) {
-    source_indices_.push_back(surface_->sourceIndex(i));
+    source_indices_.push_back(static_cast<pcl::index_t>(surface_->sourceIndex(i)));
     kept[source_indices_.back()] = 1;
     output.push_back((*this->input_)[source_indices_.back()]);
   }

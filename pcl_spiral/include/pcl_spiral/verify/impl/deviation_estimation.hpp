@@ -15,11 +15,11 @@ DeviationEstimation<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
   const ThreadLimit limit(this->getNumberOfThreads());
   CutterPath path;
   std::vector<float> deviation;
-  this->status_ = this->prepare(path);
-  if (this->status_.ok())
-    this->status_ = measureDeviation(*this->reference_, path, this->chord_error_, this->progress_, deviation, figures_);
-  this->tellFailure("DeviationEstimation");
-  if (!this->status_.ok())
+  const auto run = [&] {
+    const Status status = this->prepare(path);
+    return status.ok() ? measureDeviation(*this->reference_, path, this->chord_error_, this->progress_, deviation, figures_) : status;
+  };
+  if (!this->computeBy("DeviationEstimation", run))
     return;
   output.resize(path.size());
   output.header = this->toolpath_->header;

@@ -70,18 +70,18 @@ MaterialRemoval<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
   const ThreadLimit limit(this->getNumberOfThreads());
   CutterPath path;
   RemovalHeights heights;
-  this->status_ = this->prepare(path);
-  if (this->status_.ok())
-    this->status_ = checkCloud();
-  std::unique_ptr<CutterSweep> sweep;
-  if (this->status_.ok())
-    this->status_ = makeSweep(path, cutter_, tips_, sweep);
-  if (this->status_.ok())
-    this->status_ =
-        measureRemovedMaterial(*this->reference_, path, *sweep, removalSettings(cutter_, scallop_height_, this->chord_error_, reach_),
-                               this->progress_, heights, figures_);
-  this->tellFailure("MaterialRemoval");
-  if (!this->status_.ok())
+  const auto run = [&]() -> Status {
+    if (const Status status = this->prepare(path); !status.ok())
+      return status;
+    if (const Status status = checkCloud(); !status.ok())
+      return status;
+    std::unique_ptr<CutterSweep> sweep;
+    if (const Status status = makeSweep(path, cutter_, tips_, sweep); !status.ok())
+      return status;
+    return measureRemovedMaterial(*this->reference_, path, *sweep, removalSettings(cutter_, scallop_height_, this->chord_error_, reach_),
+                                  this->progress_, heights, figures_);
+  };
+  if (!this->computeBy("MaterialRemoval", run))
     return;
   write(heights, output);
 }

@@ -25,7 +25,7 @@ class ReferenceInput : public MeshInput<PointT> {
 public:
   using ToolpathConstPtr = pcl::PointCloud<ToolpathPoint>::ConstPtr; ///< A toolpath, shared.
 
-  ReferenceInput() { this->scanned_.setStrict(false); } // a rough reference is accepted, with a warning
+  ReferenceInput() { this->surfaceSettings().strict = false; } // a rough reference is accepted, with a warning
 
   /** Judges by samples of the curved surface of this mesh; see ReferenceMesh and ReferenceSurface. Its faces give the
    *  side: a view point or another setting for scans is refused. The last input set counts: cloud, surface or mesh. */

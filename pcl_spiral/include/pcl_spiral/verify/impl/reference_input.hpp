@@ -40,7 +40,7 @@ template <typename PointT>
 Status
 ReferenceInput<PointT>::prepareMeshReference(const CutterPath& path)
 {
-  if (const std::string setter = disagreement(this->scanned_.getSettings(), SurfaceSettings()); !setter.empty() || this->getInputNormals())
+  if (const std::string setter = disagreement(this->surfaceSettings(), SurfaceSettings()); !setter.empty() || this->getInputNormals())
     return {StatusCode::InvalidArgument, (setter.empty() ? "setInputNormals" : setter) +
                                              " was called beside setInputMesh: it belongs to scans, and a mesh's side is "
                                              "that of its faces; leave it, or turn them over (setMeshSettings, flip)"};

@@ -67,6 +67,7 @@ void
 ToolCheck<PointT>::report(const char* name, Find find)
 {
   figures_ = obstacle_figures_ = LeadFigures();
+  status_ = Status::unfinished();
   status_ = find();
   if (!status_.ok())
     figures_ = obstacle_figures_ = LeadFigures();
