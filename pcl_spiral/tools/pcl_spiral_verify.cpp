@@ -13,6 +13,7 @@
 #include "verify/verify_job.h"
 
 #include "verify/limit_verdicts.h"
+#include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -98,8 +99,7 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, con
   if (!job.limits.any() && !judged.verification.program) // the contacts of a program are the judge's own
     for (const std::string& fault : faultsOfPoses(judged.verification))
       judged.verification.broken.push_back(fault);
-  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
-  const double allowed = settings.chord_error + deviations * reference->noise();
+  const double allowed = gougeTolerance(settings.chord_error, reference->noise());
   for (const std::string& fault :
        faultsBeside(part, reference->scanned(), judged.path, settings, allowed, judged.verification.removal.warnings))
     judged.verification.broken.push_back(fault);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How deep points are in a ball and its shank on their way, against distances from the exact cylinder.
-#include "verify/ball_way.h"
+#include "collision/ball_way.h"
 
 #include <gtest/gtest.h>
 

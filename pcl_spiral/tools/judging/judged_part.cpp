@@ -4,12 +4,12 @@
 #include "terminal/scan_places.h"
 #include "terminal/setter_names.h"
 
-#include "verify/ball_way.h"
+#include "collision/ball_way.h"
+#include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
-#include <pcl_spiral/verify/impl/false_echoes.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 
 #include <algorithm>
@@ -82,7 +82,10 @@ cutBeside(const std::vector<Eigen::Vector3f>& beside, const pcl::PointCloud<Tool
   std::unique_ptr<CutterSweep> sweep;
   if (beside.empty() || !readCutterPath(path, moves).ok() || !makeSweep(moves, cutter, settings.tips, sweep).ok())
     return std::nullopt;
-  return deepestPoint(*sweep, beside);
+  std::vector<double> depths;
+  for (const Eigen::Vector3f& point : beside)
+    depths.push_back(sweep->deepest(point.cast<double>()));
+  return deepestOf(beside, depths);
 }
 
 } // namespace

@@ -5,10 +5,10 @@
 
 #include "cleaning/standing_clusters.h"
 #include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/surface/scanned_surface.h>
-#include <pcl_spiral/verify/impl/false_echoes.h>
 
 #include <pcl/common/io.h>
 
@@ -132,7 +132,7 @@ heedClusters(const PassJob& job, ProgressBar& bar, const Surface::ConstPtr& surf
   }
   std::vector<std::uint8_t> stands(result.scan.cloud->size(), 0);
   for (const StandingCluster& cluster : surface->clusters())
-    for (const std::uint32_t i : cluster.indices)
+    for (const pcl::index_t i : cluster.indices)
       stands[i] = 1;
   pcl::Indices others;
   for (std::size_t i = 0; i < stands.size(); ++i)

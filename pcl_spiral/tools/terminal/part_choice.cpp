@@ -5,8 +5,8 @@
 #include "setter_names.h"
 #include "terminal.h"
 
+#include "collision/ball_way.h"
 #include "common/formatted_text.h"
-#include "verify/ball_way.h"
 #include <pcl_spiral/cleaning/part_region.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
@@ -157,7 +157,7 @@ leftOutFor(LeftOut reason, const Surface& surface)
   pcl::Indices indices;
   for (std::size_t i = 0; i < surface.leftOut().why.size(); ++i)
     if (surface.leftOut().why[i] == reason)
-      indices.push_back(static_cast<pcl::index_t>(surface.leftOut().indices[i]));
+      indices.push_back(surface.leftOut().indices[i]);
   return indices;
 }
 

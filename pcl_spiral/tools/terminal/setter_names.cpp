@@ -8,9 +8,11 @@
 namespace {
 
 /** Each first text is replaced by the second if the program has the first option in it. */
-constexpr std::array<std::pair<const char*, const char*>, 79> words{{
+constexpr std::array<std::pair<const char*, const char*>, 81> words{{
     {"FeedMode", "--feed-mode inverse-time"},
     {"setFixedAxis", "--axis"},
+    {"setTiltAngle", "--tilt"},
+    {"setLeadAngle", "--lead"},
     {"setThinning", "--thin"},
     {"setLargestPart", "--largest"},
     {"setPartAt", "--part-at"},

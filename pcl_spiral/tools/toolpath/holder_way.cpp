@@ -3,6 +3,7 @@
 
 #include "program/free_path.h"
 
+#include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
 #include <array>
@@ -50,12 +51,11 @@ check(const Job& job, const Way& way, Result& result)
 LedTool
 toolOf(const Job& job, const SpiralReport& report)
 {
-  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   LedTool tool;
   tool.cutter = CutterShape::ball(job.settings.tool_radius, job.flank_length);
   tool.holder = job.holder;
   tool.holder_clearance = job.holder_clearance;
-  tool.tolerance = job.settings.chord_error + deviations * report.noise;
+  tool.tolerance = gougeTolerance(job.settings.chord_error, report.noise);
   tool.threads = job.settings.threads;
   return tool;
 }

@@ -3,7 +3,7 @@
 
 #include "path_program.h"
 
-#include <pcl_spiral/verify/impl/false_echoes.h>
+#include <pcl_spiral/collision/impl/false_echoes.h>
 
 #include <algorithm>
 

@@ -11,6 +11,7 @@
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
+#include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 
@@ -132,18 +133,6 @@ choosePoints(const Job& job, const StripChoice& strips, ProgressBar& bar, StageC
   clock.end("surface");
 }
 
-/** Least width of a hole, mm: the holes that keep-outs leave must not count as gaps in the data. */
-double
-keepOutHoleSize(const Job& job, const Result& result)
-{
-  constexpr double share = 0.7; // of the polygon and the ball beside it: on slopes the ball needs less room on one side
-  double size = job.settings.hole_size;
-  for (const Prism& prism : result.part.keep_outs)
-    if (const double left = share * (prism.width() + 2.0 * job.settings.tool_radius); size == 0.0 || left < size)
-      size = left;
-  return size;
-}
-
 /** The settings for the generator. */
 SpiralSettings
 settingsFor(const Job& job, const Result& result)
@@ -153,7 +142,7 @@ settingsFor(const Job& job, const Result& result)
   settings.start_point = fromScan(settings.start_point);
   if (!result.mesh)
     settings.view_point = result.side.view_point;
-  settings.hole_size = keepOutHoleSize(job, result);
+  settings.hole_size = holeSizeBeside(job.settings.hole_size, result.part.keep_outs, job.settings.tool_radius);
   if (result.mesh) {
     settings.hole_size = meshHoleSize(job, *result.mesh);
     settings.flip_normals = false; // the mesh is turned already
@@ -188,6 +177,7 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
   SpiralToolpathGenerator<pcl::PointXYZ> generator;
   result.settings = settingsFor(job, result);
   generator.setSettings(result.settings);
+  generator.setSurroundings(surroundingsOf(result));
   generator.setInputCloud(result.scan.cloud);
   if (result.surface)
     generator.setInputSurface(result.surface);
@@ -201,13 +191,13 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
   generator.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   generator.compute(*result.path);
   bar.clear();
+  requireFreeWay(job, generator.getStatus(), generator.getReport().blocked_way);
   requirePath(job, result.mesh ? withSpacings(generator.getStatus(), *result.mesh) : generator.getStatus(),
               madeTurns(generator.getReport()));
   result.report = generator.getReport();
   if (!result.mesh)
     for (const std::string& warning : viewPointWarnings(result.side, result.report.side))
       result.report.warnings.push_back(warning);
-  checkWay(job, result);
   checkRawScan(job, result);
   checkHolder(job, result);
   for (std::string& warning : result.report.warnings)

@@ -23,5 +23,5 @@ void readInput(const Job& job, ProgressBar& bar, Result& result);
 
 /** The path over the region that job.part chooses, without its narrow \p strips beside keep-outs. \p result has what readInput gave.
  *  \throw NoPath
- *  \throw EntersKeepOut, and what checkWay throws */
+ *  \throw EntersKeepOut, and what requireFreeWay throws */
 Result planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result result);

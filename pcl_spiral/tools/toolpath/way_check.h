@@ -7,7 +7,10 @@
 #include "job.h"
 #include "outputs.h"
 
+#include <pcl_spiral/collision/surroundings.h>
 #include <pcl_spiral/io/file_error.h>
+
+#include <optional>
 
 /** A path on which the ball enters a keep-out. */
 class EntersKeepOut : public pcl_spiral::FileError {
@@ -23,10 +26,13 @@ private:
   bool crosses_;
 };
 
-/** Warns of single points beside the part in the way, which are taken for false echoes.
+/** What the scan has beside the part, and the keep-outs. */
+pcl_spiral::Surroundings surroundingsOf(const Result& result);
+
+/** Does nothing if the way is not \p blocked.
  *  \throw EntersKeepOut
- *  \throw pcl_spiral::FileError if the shank cuts into what stands in a keep-out, or ball or shank into the scan beside the part */
-void checkWay(const Job& job, Result& result);
+ *  \throw pcl_spiral::FileError if ball or shank cut into something else; both with the message of \p status */
+void requireFreeWay(const Job& job, const pcl_spiral::Status& status, const std::optional<pcl_spiral::BlockedWay>& blocked);
 
 /** Says what smoothing moved, if there is a raw scan, and warns where the ball cuts into its points.
  *  \throw pcl_spiral::FileError if it does and the path is judged (--verify); if the raw scan cannot be read */

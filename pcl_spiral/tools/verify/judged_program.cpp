@@ -9,6 +9,7 @@
 #include "machine/limit_check.h"
 #include "verify/program_pace.h"
 #include "verify/program_path.h"
+#include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
@@ -40,12 +41,11 @@ void
 checkOtherMoves(const VerifyJob& job, const JudgedPart& part, const ReferenceSurface& reference, const ProgramFile& read,
                 Verification& verification)
 {
-  constexpr double deviations = 5.0; // of the noise: no point is farther from the surface
   ProgressBar bar(job.quiet);
   LeadCheck<pcl::PointXYZ> check;
   check.setInputCloud(part.whole);
   check.setCutter(job.settings.cutter);
-  check.setTolerance(job.settings.chord_error + deviations * reference.noise());
+  check.setTolerance(gougeTolerance(job.settings.chord_error, reference.noise()));
   check.setLargestEcho(largest_echo);
   check.setNumberOfThreads(job.settings.threads);
   check.setProgressCallback([&bar](double share, const std::string&) { return bar.update(share, "moves that do not cut"); });

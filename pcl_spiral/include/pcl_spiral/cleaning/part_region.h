@@ -4,10 +4,9 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/status.h>
+#include <pcl_spiral/cleaning/impl/status_filter.h>
 #include <pcl_spiral/core/prism.h>
 
-#include <pcl/filters/filter_indices.h>
 #include <pcl/point_types.h>
 
 #include <Eigen/Geometry>
@@ -37,19 +36,28 @@ struct RegionFigures {
  *  region.setInputNormals(normals);      // of the surface, out of the material
  *  region.addKeepOut(Prism(corners, Eigen::Vector3d::UnitZ()));
  *  region.setToolRadius(10.0);
- *  region.filter(*to_cut);
+ *  const pcl::IndicesPtr part(new pcl::Indices);
+ *  region.filter(*part);
  *  if (!region.getStatus().ok()) ...     // and the output is empty
+ *  Surroundings around;
+ *  around.keep_outs = region.getKeepOuts();
+ *  SpiralToolpathGenerator<pcl::PointXYZ> spiral;
+ *  spiral.setInputCloud(scan);
+ *  spiral.setIndices(part);              // what is left out of the scan is an obstacle
+ *  spiral.setSurroundings(around);
  *  \endcode
+ *  A cloud of the points kept does not carry the keep-outs on: a path over it would cross the hole that they leave. So filter with a cloud
+ *  as output is refused if there is a keep-out.
  */
 template <typename PointT, typename PointNT = pcl::Normal>
-class PartRegion : public pcl::FilterIndices<PointT> {
+class PartRegion : public StatusFilter<PointT> {
 public:
   using Ptr = pcl::shared_ptr<PartRegion>;                             ///< A shared pointer.
   using ConstPtr = pcl::shared_ptr<const PartRegion>;                  ///< A shared pointer to a constant one.
   using NormalsConstPtr = typename pcl::PointCloud<PointNT>::ConstPtr; ///< Normals of the input, shared.
 
   /** \p extract_removed_indices: if true, getRemovedIndices has the points left out. */
-  explicit PartRegion(bool extract_removed_indices = false) : pcl::FilterIndices<PointT>(extract_removed_indices)
+  explicit PartRegion(bool extract_removed_indices = false) : StatusFilter<PointT>(extract_removed_indices)
   {
     this->filter_name_ = "PartRegion";
   }
@@ -93,12 +101,14 @@ public:
   void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
   NormalsConstPtr getInputNormals() const { return normals_; } ///< The value of setInputNormals.
 
-  /** Status of the last call of filter: a polygon with a fault, a negative length, or a wrong number of normals. */
-  const Status& getStatus() const { return status_; }
   const RegionFigures& getFigures() const { return figures_; } ///< Figures of the last call of filter.
 
 protected:
-  void applyFilter(pcl::Indices& indices) override; ///< What pcl::FilterIndices calls.
+  void applyFilter(pcl::PointCloud<PointT>& output) override; ///< What pcl::Filter calls.
+  using StatusFilter<PointT>::applyFilter;
+  void forgetResult() override { figures_ = RegionFigures(); } ///< Clears the figures.
+  /** Fails on a polygon with a fault, a negative length, or a wrong number of normals. */
+  Status choose(pcl::Indices& kept, pcl::Indices& removed) override;
 
 private:
   Status check() const;
@@ -113,7 +123,7 @@ private:
   double shank_length_ = 0.0, lean_ = 0.0;
   std::shared_ptr<const PointBlocks> obstacles_; ///< null: none
   NormalsConstPtr normals_;
-  Status status_;
+  bool into_cloud_ = false; ///< filter with a cloud as output is running
   RegionFigures figures_;
 };
 

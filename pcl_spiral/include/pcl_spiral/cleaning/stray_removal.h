@@ -4,10 +4,9 @@
  */
 #pragma once
 
+#include <pcl_spiral/cleaning/impl/status_filter.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
-#include <pcl_spiral/common/status.h>
 
-#include <pcl/filters/filter_indices.h>
 #include <pcl/point_types.h>
 
 #include <Eigen/Core>
@@ -42,13 +41,13 @@ struct StrayFigures {
  *  order of the points or on the number of threads.
  *  \sa buildCleanGraph, which defines the outliers */
 template <typename PointT>
-class StrayRemoval : public pcl::FilterIndices<PointT>, public ThreadCount {
+class StrayRemoval : public StatusFilter<PointT>, public ThreadCount {
 public:
   using Ptr = pcl::shared_ptr<StrayRemoval>;            ///< A shared pointer.
   using ConstPtr = pcl::shared_ptr<const StrayRemoval>; ///< A shared pointer to a constant one.
 
   /** \p extract_removed_indices: if true, getRemovedIndices has the points left out. */
-  explicit StrayRemoval(bool extract_removed_indices = false) : pcl::FilterIndices<PointT>(extract_removed_indices)
+  explicit StrayRemoval(bool extract_removed_indices = false) : StatusFilter<PointT>(extract_removed_indices)
   {
     this->filter_name_ = "StrayRemoval";
   }
@@ -58,48 +57,17 @@ public:
   void setLargestGroup(std::size_t points) { largest_group_ = points; }
   std::size_t getLargestGroup() const { return largest_group_; } ///< The value of setLargestGroup.
 
-  /** Clears the last result. A null pointer is an error at once. */
-  void setInputCloud(const typename pcl::PointCloud<PointT>::ConstPtr& cloud) override
-  {
-    status_ = cloud ? Status() : missingCloud();
-    figures_ = StrayFigures();
-    this->removed_indices_->clear();
-    pcl::FilterIndices<PointT>::setInputCloud(cloud);
-  }
-
-  /** As in pcl::Filter, but the output is also empty if there is no cloud. Through a pointer to pcl::Filter, pcl::Filter::filter
-   *  leaves the output unchanged in that case and does not call this filter. */
-  void filter(pcl::PointCloud<PointT>& output)
-  {
-    if (hasCloud())
-      pcl::FilterIndices<PointT>::filter(output);
-    else
-      output.clear();
-  }
-  /** \copydoc filter */
-  void filter(pcl::Indices& indices)
-  {
-    if (hasCloud())
-      pcl::FilterIndices<PointT>::filter(indices);
-    else
-      indices.clear();
-  }
-
-  /** Status of the last call of filter: the fault of the points if they form no surface. */
-  const Status& getStatus() const { return status_; }
   const StrayFigures& getFigures() const { return figures_; } ///< Figures of the last call of filter.
 
 protected:
-  void applyFilter(pcl::Indices& indices) override; ///< What pcl::FilterIndices calls.
+  void forgetResult() override { figures_ = StrayFigures(); } ///< Clears the figures.
+  /** Fails if the points form no surface. */
+  Status choose(pcl::Indices& kept, pcl::Indices& removed) override;
 
 private:
-  static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"}; }
-  bool hasCloud();
-  Status choose(pcl::Indices& kept, pcl::Indices& removed);
   std::vector<std::array<float, 3>> placesToLeaveOut(const std::vector<Eigen::Vector3f>& strays, double reach);
 
   std::size_t largest_group_ = 0;
-  Status status_;
   StrayFigures figures_;
 };
 

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/collision/surroundings.h>
 #include <pcl_spiral/common/impl/stage_clock.h>
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/graph/outer_side.h>
@@ -12,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,21 +37,22 @@ struct TightPlace {
 
 /** Figures of a run: counts, lengths in mm, times in s. */
 struct SpiralReport {
-  std::size_t input_points = 0;     ///< of the cloud, or of its indices
-  std::size_t nonfinite_points = 0; ///< left out
-  std::size_t duplicate_points = 0; ///< left out
-  std::size_t surplus_points = 0;   ///< left out: much closer together than the points around them, as along scan lines
-  std::size_t outlier_points = 0;   ///< left out: by the filter, isolated, or in clusters apart from the surface
-  std::size_t left_out_parts = 0;   ///< separate parts other than the largest, left out on request
-  std::size_t left_out_points = 0;  ///< in these parts
-  std::size_t used_points = 0;      ///< that the surface was made of
-  double spacing = 0.0;             ///< median distance of neighbouring points
-  int passes = 0;                   ///< over all neighbourhoods, for surface and gaps; 0 for a given surface. The program adds the check's
-  double noise = 0.0;               ///< standard deviation of the points about the fitted surface
-  OuterSide side;                   ///< what decided the side of the cutter, and how clearly
-  int projection_neighbours = 0;    ///< neighbours in one surface fit
-  std::vector<BoundaryLoop> loops;  ///< rim, holes and gaps, as found or given
-  std::vector<HoleReport> holes;    ///< holes and gaps
+  std::optional<BlockedWay> blocked_way; ///< set if a path was made and then refused for what stands around the part
+  std::size_t input_points = 0;          ///< of the cloud, or of its indices
+  std::size_t nonfinite_points = 0;      ///< left out
+  std::size_t duplicate_points = 0;      ///< left out
+  std::size_t surplus_points = 0;        ///< left out: much closer together than the points around them, as along scan lines
+  std::size_t outlier_points = 0;        ///< left out: by the filter, isolated, or in clusters apart from the surface
+  std::size_t left_out_parts = 0;        ///< separate parts other than the largest, left out on request
+  std::size_t left_out_points = 0;       ///< in these parts
+  std::size_t used_points = 0;           ///< that the surface was made of
+  double spacing = 0.0;                  ///< median distance of neighbouring points
+  int passes = 0;                  ///< over all neighbourhoods, for surface and gaps; 0 for a given surface. The program adds the check's
+  double noise = 0.0;              ///< standard deviation of the points about the fitted surface
+  OuterSide side;                  ///< what decided the side of the cutter, and how clearly
+  int projection_neighbours = 0;   ///< neighbours in one surface fit
+  std::vector<BoundaryLoop> loops; ///< rim, holes and gaps, as found or given
+  std::vector<HoleReport> holes;   ///< holes and gaps
   SpiralMethod method = SpiralMethod::Radial;       ///< that made the path
   double foreseen_radial = 0.0;                     ///< predicted length of the radial path, used to choose the method; 0: not predicted
   double foreseen_scallop = 0.0;                    ///< the same for ConstantScallop

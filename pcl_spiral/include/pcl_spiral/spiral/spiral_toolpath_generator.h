@@ -161,6 +161,12 @@ public:
    *  surfaceBeyond; none by default, and none with TightHandling::Refuse. */
   void setSurfaceBeyond(std::vector<SurfacePatch> patches) { beyond_ = std::move(patches); }
   const std::vector<SurfacePatch>& getSurfaceBeyond() const { return beyond_; } ///< The value of setSurfaceBeyond.
+  /** What ball and shank must not cut into: a path that does is refused, with the place (SpiralReport::blocked_way). To this are always
+   *  added the finite points that setIndices leaves out of the cloud, those of other parts of the scan that setPartAt or setLargestPart
+   *  leaves out, and those of clusters that the ball rides over. A gap in which there is one of them is a hole. Empty by default. The
+   *  keep-outs of PartRegion go here, too. */
+  void setSurroundings(const Surroundings& around) { around_ = around; }
+  const Surroundings& getSurroundings() const { return around_; } ///< The value of setSurroundings.
   /** What to do with places that the ball does not reach; Ride by default. */
   void setTightHandling(TightHandling tight) { settings_.tight = tight; }
   TightHandling getTightHandling() const { return settings_.tight; } ///< The value of setTightHandling.
@@ -186,9 +192,10 @@ protected:
 
 private:
   Status makeSurface(Surface::ConstPtr& surface);
-  Status makeLoops(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops);
+  Status makeLoops(Surface::ConstPtr& surface, const Surroundings& around, std::vector<BoundaryLoop>& loops);
   Status makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, RadialLineSet& lines);
-  Status makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns, std::unique_ptr<BallReach>& reach);
+  Status makeCurve(Surface::ConstPtr& surface, const Surroundings& around, StageClock& clock, SpiralTurns& turns,
+                   std::unique_ptr<BallReach>& reach);
   Status makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines, StageClock& clock, SpiralTurns& turns);
@@ -196,12 +203,15 @@ private:
   Status makeConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, bool alone, StageClock& clock,
                              SpiralTurns& turns);
   Status makePublished(const Surface& surface, StageClock& clock, SpiralPath& path);
+  Surroundings allAround(const Surface& surface) const;
+  Status makePath(StageClock& clock, Surface::ConstPtr surface, const Surroundings& around, SpiralPath& path);
   Status run(StageClock& clock, SpiralPath& path);
 
   std::vector<BoundaryLoop> given_loops_;
   std::optional<RadialLineSet> given_lines_;
   SpiralSettings settings_;
   std::vector<SurfacePatch> beyond_;
+  Surroundings around_;
   ProgressCallback progress_;
   SpiralReport report_;
 };

@@ -7,12 +7,10 @@
 #include <pcl_spiral/search/impl/point_blocks.h>
 #include <pcl_spiral/search/impl/usable_points.h>
 
-#include <pcl/console/print.h>
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/impl/pcl_base.hpp>
 
 #include <cmath>
-#include <utility>
 
 namespace pcl_spiral {
 
@@ -100,24 +98,26 @@ PartRegion<PointT, PointNT>::keeps(std::size_t i)
 
 template <typename PointT, typename PointNT>
 void
-PartRegion<PointT, PointNT>::applyFilter(pcl::Indices& indices)
+PartRegion<PointT, PointNT>::applyFilter(pcl::PointCloud<PointT>& output)
 {
-  figures_ = RegionFigures();
-  pcl::Indices kept, removed;
-  status_ = check();
-  if (!status_.ok()) {
-    PCL_ERROR("[pcl_spiral::PartRegion::filter] %s\n", status_.message().c_str());
-    removed = *this->indices_;
-  }
-  else {
-    for (const auto index : *this->indices_)
-      (keeps(static_cast<std::size_t>(index)) ? kept : removed).push_back(index);
-    if (this->negative_)
-      kept.swap(removed);
-  }
-  indices = std::move(kept);
-  if (this->extract_removed_indices_)
-    *this->removed_indices_ = std::move(removed);
+  into_cloud_ = true;
+  StatusFilter<PointT>::applyFilter(output);
+  into_cloud_ = false;
+}
+
+template <typename PointT, typename PointNT>
+Status
+PartRegion<PointT, PointNT>::choose(pcl::Indices& kept, pcl::Indices& removed)
+{
+  if (const Status status = check(); !status.ok())
+    return status;
+  if (into_cloud_ && !keep_outs_.empty())
+    return {StatusCode::InvalidArgument, "there are keep-outs (addKeepOut), which a cloud does not carry on, so that a path over it would "
+                                         "cross them: call filter with pcl::Indices, and give scan, indices and keep-outs to the planner "
+                                         "(setInputCloud, setIndices, setSurroundings)"};
+  for (const auto index : *this->indices_)
+    (keeps(static_cast<std::size_t>(index)) ? kept : removed).push_back(index);
+  return Status::success();
 }
 
 } // namespace pcl_spiral

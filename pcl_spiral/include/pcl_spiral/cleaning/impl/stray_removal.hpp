@@ -7,13 +7,11 @@
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/search/impl/usable_points.h>
 
-#include <pcl/console/print.h>
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/impl/pcl_base.hpp>
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 namespace pcl_spiral {
 
@@ -78,37 +76,6 @@ StrayRemoval<PointT>::choose(pcl::Indices& kept, pcl::Indices& removed)
     (stray || !finite ? removed : kept).push_back(index);
   }
   return Status::success();
-}
-
-/** True if there is a cloud to filter; if not, sets the status. */
-template <typename PointT>
-bool
-StrayRemoval<PointT>::hasCloud()
-{
-  if (this->input_)
-    return true;
-  status_ = missingCloud();
-  this->removed_indices_->clear();
-  PCL_ERROR("[pcl_spiral::StrayRemoval::filter] %s\n", status_.message().c_str());
-  return false;
-}
-
-template <typename PointT>
-void
-StrayRemoval<PointT>::applyFilter(pcl::Indices& indices)
-{
-  figures_ = StrayFigures();
-  pcl::Indices kept, removed;
-  status_ = choose(kept, removed);
-  if (!status_.ok()) {
-    PCL_ERROR("[pcl_spiral::StrayRemoval::filter] %s\n", status_.message().c_str());
-    removed = *this->indices_;
-  }
-  else if (this->negative_)
-    kept.swap(removed);
-  indices = std::move(kept);
-  if (this->extract_removed_indices_)
-    *this->removed_indices_ = std::move(removed);
 }
 
 } // namespace pcl_spiral

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/common/impl/toolpath_fields.h>
@@ -14,11 +15,13 @@
 #include <pcl_spiral/spiral/impl/settings_check.h>
 #include <pcl_spiral/spiral/impl/spiral_methods.hpp>
 #include <pcl_spiral/spiral/impl/stage_reports.h>
+#include <pcl_spiral/spiral/impl/surroundings_check.h>
 #include <pcl_spiral/spiral/impl/tight_report.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/surface/impl/thinning_check.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -41,24 +44,27 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeSurface(Surface::Cons
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstPtr& surface, const Surroundings& around,
+                                                                 std::vector<BoundaryLoop>& loops)
 {
+  const double hole_size = holeSizeBeside(settings_.hole_size, around.keep_outs, settings_.tool_radius);
   loops = given_loops_;
   if (loops.empty()) {
     BoundaryLoops<PointInT, PointNT> boundaries;
     boundaries.setInputSurface(surface);
-    boundaries.setMinHoleWidth(settings_.hole_size);
+    boundaries.setMinHoleWidth(hole_size);
     boundaries.setNumberOfThreads(settings_.threads);
     boundaries.setProgressCallback(partOf(progress_, 0.1, 0.35)); // begins where its own surface would be made
     boundaries.setQuiet(true);
     boundaries.compute(loops);
     if (!boundaries.getStatus().ok())
       return boundaries.getStatus();
+    gapsToHoles(around, loops);
   }
   BridgedSurface bridged;
   const bool all = methodAsked(settings_) != SpiralMethod::Radial && settings_.boundary_mode == BoundaryMode::Automatic;
   const BoundaryMode mode = all && settings_.holes != HoleHandling::Over ? BoundaryMode::AllBoundaries : settings_.boundary_mode;
-  const HoleOptions holes{mode, settings_.holes, settings_.gaps, settings_.hole_size};
+  const HoleOptions holes{mode, settings_.holes, settings_.gaps, hole_size};
   if (const Status status = bridgeGaps(std::move(surface), loops, holes, partOf(progress_, 0.35, 0.4), bridged,
                                        given_loops_.empty() ? LoopOrigin::Found : LoopOrigin::Given);
       !status.ok())
@@ -71,8 +77,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, StageClock& clock, SpiralTurns& turns,
-                                                                 std::unique_ptr<BallReach>& reach)
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, const Surroundings& around, StageClock& clock,
+                                                                 SpiralTurns& turns, std::unique_ptr<BallReach>& reach)
 {
   if (given_lines_ && settings_.method == SpiralMethod::ConstantScallop)
     return {StatusCode::InvalidArgument, "radial lines were given, but a path at constant scallop height has none: call "
@@ -87,7 +93,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
     return reached.ok() ? makeOnLines(surface, *given_lines_, clock, turns) : reached;
   }
   std::vector<BoundaryLoop> loops;
-  if (const Status status = makeLoops(surface, loops); !status.ok())
+  if (const Status status = makeLoops(surface, around, loops); !status.ok())
     return status;
   clock.end("boundaries");
   reach = makeReach(*surface, settings_, beyond_);
@@ -110,12 +116,42 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
   }
 }
 
+/** The given surroundings, and all of the scan that is not of \p surface. */
+template <typename PointInT, typename PointNT, typename PointOutT>
+Surroundings
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::allAround(const Surface& surface) const
+{
+  Surroundings around = withSurface(around_, surface);
+  const pcl::IndicesPtr part = this->givenIndices();
+  if (!this->input_ || !part)
+    return around;
+  std::vector<std::uint8_t> is_part(this->input_->size(), 0);
+  for (const pcl::index_t i : *part)
+    is_part[static_cast<std::size_t>(i)] = 1;
+  const auto scan = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (std::size_t i = 0; i < is_part.size(); ++i) {
+    const Eigen::Vector3f p = (*this->input_)[i].getVector3fMap();
+    if (!p.allFinite())
+      continue;
+    scan->emplace_back(p.x(), p.y(), p.z());
+    const auto contains = [&p](const Prism& prism) { return prism.contains(p.cast<double>()); };
+    if (is_part[i] == 0)
+      (std::any_of(around.keep_outs.begin(), around.keep_outs.end(), contains) ? around.kept_out : around.beside).push_back(p);
+  }
+  if (!around.scan)
+    around.scan = scan;
+  return around;
+}
+
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, SpiralPath& path)
 {
   if (const Status status = checkSettings(settings_); !status.ok())
     return status;
+  for (const Prism& prism : around_.keep_outs)
+    if (!prism.fault().empty())
+      return {StatusCode::InvalidArgument, "the polygon of a keep-out is no area: " + prism.fault()};
   const ThreadLimit limit(settings_.threads);
   Surface::ConstPtr surface;
   if (const Status status = makeSurface(surface); !status.ok())
@@ -124,6 +160,19 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
     clock.restart();
   else
     clock.end("surface");
+  const Surroundings around = allAround(*surface);
+  if (const Status status = makePath(clock, std::move(surface), around, path); !status.ok() || around.empty())
+    return status;
+  const Status status = checkSurroundings(path, settings_, around, report_);
+  clock.end("surroundings");
+  return status;
+}
+
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& clock, Surface::ConstPtr surface, const Surroundings& around,
+                                                                SpiralPath& path)
+{
   report_.method = settings_.method;
   if (settings_.method == SpiralMethod::Published)
     return makePublished(*surface, clock, path);
@@ -131,7 +180,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   std::unique_ptr<BallReach> reach;
   {
     SpiralTurns turns;
-    if (const Status status = makeCurve(surface, clock, turns, reach); !status.ok())
+    if (const Status status = makeCurve(surface, around, clock, turns, reach); !status.ok())
       return status;
     if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step, partOf(progress_, 0.65, 0.9), path,
                                            gaps, reach.get());

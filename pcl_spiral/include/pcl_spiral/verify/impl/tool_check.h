@@ -4,12 +4,12 @@
  */
 #pragma once
 
+#include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 #include <pcl_spiral/verify/figures.h>
-#include <pcl_spiral/verify/impl/false_echoes.h>
 
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>

@@ -100,16 +100,6 @@ private:
   PointBlocks blocks_;                                                  ///< of the middles
 };
 
-/** The deepest of \p points; absent if none is deeper than 0. */
-std::optional<BallEntry>
-deepestOf(const std::vector<Eigen::Vector3f>& points, const std::vector<double>& depths)
-{
-  const auto most = std::max_element(depths.begin(), depths.end());
-  if (most == depths.end() || !(*most > 0.0))
-    return std::nullopt;
-  return BallEntry{*most, points[static_cast<std::size_t>(most - depths.begin())].cast<double>()};
-}
-
 } // namespace
 
 std::vector<Eigen::Vector3d>
@@ -154,13 +144,12 @@ deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius, const st
 }
 
 std::optional<BallEntry>
-deepestPoint(const CutterSweep& sweep, const std::vector<Eigen::Vector3f>& points)
+deepestOf(const std::vector<Eigen::Vector3f>& points, const std::vector<double>& depths)
 {
-  std::vector<double> depths(points.size(), 0.0);
-#pragma omp parallel for schedule(dynamic, 256)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i)
-    depths[i] = sweep.deepest(points[i].cast<double>());
-  return deepestOf(points, depths);
+  const auto most = std::max_element(depths.begin(), depths.end());
+  if (most == depths.end() || !(*most > 0.0))
+    return std::nullopt;
+  return BallEntry{*most, points[static_cast<std::size_t>(most - depths.begin())].cast<double>()};
 }
 
 } // namespace pcl_spiral

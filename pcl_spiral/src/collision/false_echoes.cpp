@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/verify/impl/false_echoes.h>
+#include <pcl_spiral/collision/impl/false_echoes.h>
 
 #include <pcl_spiral/cleaning/stray_removal.h>
 

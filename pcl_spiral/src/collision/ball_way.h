@@ -7,7 +7,6 @@
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/prism.h>
 #include <pcl_spiral/core/tool_holder.h>
-#include <pcl_spiral/verify/impl/cutter_sweep.h>
 
 #include <pcl/point_types.h>
 
@@ -40,7 +39,7 @@ std::vector<double> depthsInWay(const pcl::PointCloud<ToolpathPoint>& path, doub
 std::optional<BallEntry> deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, double radius,
                                       const std::vector<Eigen::Vector3f>& points);
 
-/** How deep \p points are in the cutter of \p sweep; absent if none is. */
-std::optional<BallEntry> deepestPoint(const CutterSweep& sweep, const std::vector<Eigen::Vector3f>& points);
+/** The deepest of \p points by their \p depths, mm; absent if none is deeper than 0. */
+std::optional<BallEntry> deepestOf(const std::vector<Eigen::Vector3f>& points, const std::vector<double>& depths);
 
 } // namespace pcl_spiral

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/collision/impl/way_check.h>
+
+#include "ball_way.h"
+#include "things_in_the_way.h"
+#include <pcl_spiral/collision/impl/false_echoes.h>
+#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/tool_holder.h>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double link = 3.0;               // spacings: between points of one thing
+constexpr double more = 2.0, least = 0.25; // times the depth, spacings: farther away, the outline is another one
+constexpr double beyond = 1.5;             // spacings: how far a path may run beyond the last points
+
+using Path = pcl::PointCloud<ToolpathPoint>;
+
+/** The path with the tool upright on the surface. */
+Path
+upright(const Path& path)
+{
+  Path other = path;
+  for (ToolpathPoint& p : other)
+    p.getAxisVector3fMap() = p.getNormalVector3fMap();
+  return other;
+}
+
+/** The remedy of less tilt, if \p tool has a tilt and \p isFree holds for the upright tool. */
+template <typename IsFree>
+std::string
+lessTilt(const Path& path, const WayTool& tool, IsFree isFree)
+{
+  if ((!tool.tilted && !tool.led) || !isFree(upright(path)))
+    return "";
+  const char* setters = !tool.led ? "setTiltAngle" : !tool.tilted ? "setLeadAngle" : "setTiltAngle, setLeadAngle";
+  return textOf(", or tilt the tool less (", setters, "): upright, it hits nothing");
+}
+
+/** What may help where a polygon would cover too much. */
+std::string
+otherRemedies(const std::vector<ThingInTheWay>& things)
+{
+  if (std::none_of(things.begin(), things.end(), [](const ThingInTheWay& thing) { return thing.around; }))
+    return "";
+  return ". What is all round the path is often the table: crop the scan inside the rim of the part (setCrop)";
+}
+
+/** Refuses a ball that enters a keep-out, and a shank that cuts into what stands there. */
+Status
+checkKeepOuts(const Path& path, const WayTool& tool, const Surroundings& around, std::optional<BlockedWay>& blocked)
+{
+  if (const auto entry = deepestEntry(path, ballCentres(path, tool.radius), tool.radius, around.keep_outs)) {
+    blocked = BlockedWay{BlockedBy::KeepOut, std::max(more * entry->depth, least * tool.spacing), entry->depth > beyond * tool.spacing};
+    return {StatusCode::Failed, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
+                                       ": enlarge the polygon there by that much (addKeepOut)")};
+  }
+  const auto deepest = [&](const Path& any) { return deepestPoint(any, tool.radius, around.kept_out); };
+  const auto isFree = [&](const Path& any) {
+    const auto cut = deepest(any);
+    return !cut || cut->depth <= tool.allowed;
+  };
+  if (isFree(path))
+    return Status::success();
+  const BallEntry cut = *deepest(path);
+  blocked = BlockedWay{BlockedBy::KeptOut, 0.0, false};
+  return {StatusCode::Failed,
+          textOf("the shank, taken as ", shank_radii, " radii long, would cut ", cut.depth, " mm into what stands in a keep-out, at ",
+                 placeText(cut.place), ": enlarge the polygon there by that much (addKeepOut)", lessTilt(path, tool, isFree))};
+}
+
+/** Refuses what is in the way beside the part, and warns of single points there. */
+Status
+checkBeside(const Path& path, const WayTool& tool, const Surroundings& around, std::optional<BlockedWay>& blocked,
+            std::vector<std::string>& warnings)
+{
+  const auto with = [](std::vector<Eigen::Vector3f> some, const std::vector<Eigen::Vector3f>& more_points) {
+    some.insert(some.end(), more_points.begin(), more_points.end());
+    return some;
+  };
+  const auto inTheWay = [&](const Path& any, const std::vector<Eigen::Vector3f>& points) {
+    return thingsInTheWay(any, tool.radius, points, tool.allowed, link * tool.spacing);
+  };
+  std::vector<Eigen::Vector3f> points = with(around.beside, around.standing);
+  std::vector<ThingInTheWay> things = inTheWay(path, points);
+  if (things.empty())
+    return Status::success();
+  if (!around.beside.empty() && around.scan) {
+    points = with(withoutEchoes(around.beside, *around.scan), around.standing);
+    const Eigen::Vector3d deepest = things.front().place;
+    things = inTheWay(path, points);
+    if (things.empty()) {
+      warnings.push_back(textOf("the ball or its shank cuts into the scan at ", placeText(deepest),
+                                ", beside what is cut: only single points off the surface are there, usually false echoes"));
+      return Status::success();
+    }
+  }
+  const auto isFree = [&](const Path& any) { return inTheWay(any, points).empty(); };
+  blocked = BlockedWay{BlockedBy::Beside, 0.0, false};
+  return {StatusCode::Failed,
+          textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth, " mm into the scan at ",
+                 placeText(things.front().place), ", beside what is cut. ", thingsText(things),
+                 ": keep out of each with a polygon that covers it (addKeepOut)", lessTilt(path, tool, isFree), otherRemedies(things))};
+}
+
+} // namespace
+
+double
+holeSizeBeside(double hole_size, const std::vector<Prism>& keep_outs, double radius)
+{
+  constexpr double share = 0.7; // of the polygon and the ball beside it: on slopes the ball needs less room on one side
+  for (const Prism& prism : keep_outs)
+    if (const double left = share * (prism.width() + 2.0 * radius); hole_size == 0.0 || left < hole_size)
+      hole_size = left;
+  return hole_size;
+}
+
+Status
+checkWay(const Path& path, const WayTool& tool, const Surroundings& around, std::optional<BlockedWay>& blocked,
+         std::vector<std::string>& warnings)
+{
+  blocked.reset();
+  if (const Status status = checkKeepOuts(path, tool, around, blocked); !status.ok())
+    return status;
+  return checkBeside(path, tool, around, blocked, warnings);
+}
+
+} // namespace pcl_spiral
