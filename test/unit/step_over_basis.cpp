@@ -123,6 +123,25 @@ TEST_F(StepOverBasisTest, LoopsAndAPathRefuseOthers)
   EXPECT_TRUE(passes.empty());
 }
 
+TEST_F(StepOverBasisTest, WhatAFailedStageLeftIsRefused)
+{
+  SpiralSettings settings;
+  settings.tool_radius = 5.0;
+  settings.scallop_height = 0.1;
+  LinkedPath linked;
+  std::vector<SpiralPoint> curve;
+  double longest = 0.0;
+  SpiralPath path;
+  GapFigures gaps;
+  AxisFigures axes;
+  PathFigures figures;
+  std::vector<std::string> warnings;
+  for (const Status& status : {linkLoops({}, linked), samplePath(linked, *surface_, settings, curve, longest),
+                               putOnSurface(curve, *surface_, settings, 1.0, {}, path, gaps), setToolAxes(settings, path, axes, warnings),
+                               checkPath(path, settings, 1.0, {}, figures)})
+    EXPECT_EQ(status.code(), StatusCode::InvalidInput) << status.message();
+}
+
 TEST_F(StepOverBasisTest, MixedLoopsAreRefusedAndTheUsersOwnAreNot)
 {
   ScallopLoops<P> maker;

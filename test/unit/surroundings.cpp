@@ -217,18 +217,142 @@ TEST(Surroundings, TheKeepOutsOfARegionAreKept)
   }
 }
 
-TEST(Surroundings, ABallInAKeepOutIsRefusedWithThePlace)
+TEST(Surroundings, ABallInAKeepOutIsRefusedWithThePlaceAndARemedyThatWorks)
 {
-  Spiral spiral(plate());
+  const Cloud::Ptr scan = plate();
+  Spiral spiral(scan);
   Surroundings around;
   around.keep_outs = {square(0.0, 10.0, 2.0)};
   spiral.generator.setSurroundings(around);
   const Status& status = spiral.run();
-  EXPECT_EQ(status.code(), StatusCode::Failed);
+  EXPECT_EQ(status.code(), StatusCode::InvalidInput);
+  EXPECT_NE(status.message().find("PartRegion gives the indices"), std::string::npos) << status.message();
   EXPECT_NE(status.message().find("the ball enters a keep-out by 5 mm at ("), std::string::npos) << status.message();
   ASSERT_TRUE(spiral.generator.getReport().blocked_way);
   EXPECT_EQ(spiral.generator.getReport().blocked_way->by, BlockedBy::KeepOut);
   EXPECT_TRUE(spiral.generator.getReport().blocked_way->crosses);
+  PartRegion<P> region; // the remedy
+  region.setInputCloud(scan);
+  region.setToolRadius(ball);
+  region.setMargin(spacing);
+  region.addKeepOut(around.keep_outs.front());
+  const pcl::IndicesPtr part(new pcl::Indices);
+  region.filter(*part);
+  spiral.generator.setIndices(part);
+  EXPECT_TRUE(spiral.run().ok()) << spiral.run().message();
+}
+
+TEST(Surroundings, WhatTheUserGivesIsNoFalseEcho)
+{
+  const Cloud::Ptr scan = plate();
+  Cloud wall;
+  addWall(3.5, wall);
+  Surroundings around;
+  for (const P& p : wall)
+    around.beside.push_back(p.getVector3fMap());
+  const pcl::IndicesPtr all(new pcl::Indices(scan->size()));
+  for (std::size_t i = 0; i < all->size(); ++i)
+    (*all)[i] = static_cast<pcl::index_t>(i);
+  for (const bool by_indices : {false, true})
+    for (const bool with_scan : {false, true}) {
+      Spiral spiral(scan);
+      if (by_indices)
+        spiral.generator.setIndices(all);
+      around.scan = with_scan ? scan : nullptr;
+      spiral.generator.setSurroundings(around);
+      EXPECT_EQ(spiral.run().code(), StatusCode::Failed) << by_indices << with_scan << ": " << spiral.run().message();
+    }
+}
+
+TEST(Surroundings, ASelectionOfAnEvenScanIsNoObstacle)
+{
+  // Half of the points of a plate with heavy tails of noise: the others lie on the same surface.
+  const Cloud::Ptr scan = plate();
+  std::mt19937 random(8);
+  std::normal_distribution<double> noise(0.0, 0.02);
+  const pcl::IndicesPtr half(new pcl::Indices);
+  for (std::size_t i = 0; i < scan->size(); ++i) {
+    (*scan)[i].z += static_cast<float>((i % 50 == 1 ? 4.0 : 1.0) * noise(random));
+    if (i % 2 == 0)
+      half->push_back(static_cast<pcl::index_t>(i));
+  }
+  Spiral spiral(scan);
+  spiral.generator.setIndices(half);
+  EXPECT_TRUE(spiral.run().ok()) << spiral.run().message();
+}
+
+TEST(Surroundings, AnEchoOrATableAtAGapLeaveItAGap)
+{
+  // A gap that alone is bridged; then with an echo over it, with a table far below, and with a block in it.
+  const Cloud::Ptr whole = plate();
+  const auto with = [&](const std::vector<Vector3d>& others) {
+    const Cloud::Ptr scan(new Cloud);
+    const pcl::IndicesPtr part(new pcl::Indices);
+    for (const P& p : *whole)
+      if (std::hypot(p.x - 5.0, p.y) > 3.2)
+        scan->push_back(p);
+    for (std::size_t i = 0; i < scan->size(); ++i)
+      part->push_back(static_cast<pcl::index_t>(i));
+    for (const Vector3d& p : others)
+      scan->emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+    Spiral spiral(scan);
+    spiral.generator.setIndices(part);
+    spiral.generator.setTiltAngle(0.0);
+    EXPECT_TRUE(spiral.run().ok()) << spiral.run().message();
+    const auto& warnings = spiral.generator.getReport().warnings;
+    const bool is_hole = std::any_of(warnings.begin(), warnings.end(),
+                                     [](const std::string& text) { return text.find("is a hole that is not cut") != std::string::npos; });
+    const auto over = std::count_if(spiral.path.begin(), spiral.path.end(), [](const ToolpathPoint& p) { return p.over_gap != 0; });
+    EXPECT_EQ(is_hole, over == 0);
+    return is_hole;
+  };
+  EXPECT_FALSE(with({}));
+  EXPECT_FALSE(with({{5.0, 0.0, 9.0}}));
+  std::vector<Vector3d> table, block;
+  for (double x = 3.0; x <= 7.0; x += 0.5)
+    for (double y = -1.5; y <= 1.5; y += 0.5) {
+      table.emplace_back(x, y, -50.0);
+      if (std::hypot(x - 5.0, y) < 1.0)
+        block.emplace_back(x, y, -0.5);
+    }
+  EXPECT_FALSE(with(table));
+  EXPECT_TRUE(with(block));
+}
+
+TEST(Surroundings, ASurfaceOfASelectionAloneIsWarnedOf)
+{
+  const Cloud::Ptr scan = plate();
+  const auto own = static_cast<pcl::index_t>(scan->size());
+  addWall(3.5, *scan);
+  const pcl::IndicesPtr part(new pcl::Indices);
+  for (pcl::index_t i = 0; i < own; ++i)
+    part->push_back(i);
+  ScannedSurface<P> scanned;
+  scanned.setInputCloud(scan);
+  scanned.setIndices(part);
+  Surface::ConstPtr surface;
+  scanned.compute(surface);
+  ASSERT_TRUE(surface);
+  SpiralToolpathGenerator<P> alone;
+  alone.setInputSurface(surface);
+  alone.setToolRadius(ball);
+  alone.setScallopHeight(0.1);
+  Path path;
+  alone.compute(path);
+  ASSERT_TRUE(alone.getStatus().ok()) << alone.getStatus().message();
+  const auto& warnings = alone.getReport().warnings;
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
+                          [](const std::string& text) { return text.find("the ball may cut into it") != std::string::npos; }));
+  Spiral with_cloud(scan); // the remedy
+  with_cloud.generator.setIndices(part);
+  with_cloud.generator.setInputSurface(surface);
+  EXPECT_EQ(with_cloud.run().code(), StatusCode::Failed) << with_cloud.run().message();
+  Cloud::Ptr other = plate();
+  scanned.setInputCloud(other);
+  scanned.setIndices(pcl::IndicesPtr());
+  scanned.compute(surface);
+  with_cloud.generator.setInputSurface(surface); // of another scan: the wall beside the first is not there
+  EXPECT_TRUE(with_cloud.run().ok()) << with_cloud.run().message();
 }
 
 TEST(Surroundings, APolygonWithoutAreaIsRefused)

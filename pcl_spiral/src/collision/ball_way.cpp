@@ -3,6 +3,8 @@
 
 #include <pcl_spiral/search/impl/point_blocks.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -100,6 +102,17 @@ private:
   PointBlocks blocks_;                                                  ///< of the middles
 };
 
+/** A box that ball and shank do not leave: no place of them is farther from a contact. */
+Eigen::AlignedBox3f
+reachOf(const pcl::PointCloud<ToolpathPoint>& path, double radius)
+{
+  Eigen::AlignedBox3f box;
+  for (const ToolpathPoint& p : path)
+    box.extend(p.getVector3fMap());
+  const Eigen::Vector3f reach = Eigen::Vector3f::Constant(static_cast<float>((shank_radii + 2.0) * radius));
+  return {box.min() - reach, box.max() + reach};
+}
+
 } // namespace
 
 std::vector<Eigen::Vector3d>
@@ -128,7 +141,8 @@ std::vector<double>
 depthsInWay(const pcl::PointCloud<ToolpathPoint>& path, double radius, const std::vector<Eigen::Vector3f>& points)
 {
   std::vector<double> depths(points.size(), 0.0);
-  if (points.empty())
+  const Eigen::AlignedBox3f box = reachOf(path, radius);
+  if (std::none_of(points.begin(), points.end(), [&box](const Eigen::Vector3f& p) { return box.contains(p); }))
     return depths;
   const WayPieces pieces(path, radius);
 #pragma omp parallel for schedule(dynamic, 256)

@@ -38,11 +38,13 @@ withoutEchoes(const std::vector<Eigen::Vector3f>& points, const pcl::PointCloud<
   std::vector<Eigen::Vector3f> all, others;
   for (const pcl::PointXYZ& p : scan)
     all.push_back(p.getVector3fMap());
-  std::set<std::array<float, 3>> solid;
+  std::set<std::array<float, 3>> echoes;
+  for (const Eigen::Vector3f& p : all)
+    echoes.insert({p.x(), p.y(), p.z()});
   for (const Eigen::Vector3f& p : withoutEchoes(all, largest_echo))
-    solid.insert({p.x(), p.y(), p.z()});
+    echoes.erase({p.x(), p.y(), p.z()});
   std::copy_if(points.begin(), points.end(), std::back_inserter(others), [&](const Eigen::Vector3f& p) {
-    return solid.count({p.x(), p.y(), p.z()}) > 0;
+    return echoes.count({p.x(), p.y(), p.z()}) == 0;
   });
   return others;
 }

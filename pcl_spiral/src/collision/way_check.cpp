@@ -39,13 +39,31 @@ lessTilt(const Path& path, const WayTool& tool, IsFree isFree)
   return textOf(", or tilt the tool less (", setters, "): upright, it hits nothing");
 }
 
+/** What may help, with what is in the way. */
+std::string
+remedyOf(const std::vector<ThingInTheWay>& things, bool of_mesh)
+{
+  return thingsText(things) + (of_mesh ? ": take a smaller tool (setToolRadius), or leave that part out of the mesh"
+                                       : ": keep out of each with a polygon that covers it (addKeepOut)");
+}
+
 /** What may help where a polygon would cover too much. */
 std::string
-otherRemedies(const std::vector<ThingInTheWay>& things)
+otherRemedies(const std::vector<ThingInTheWay>& things, bool of_mesh)
 {
-  if (std::none_of(things.begin(), things.end(), [](const ThingInTheWay& thing) { return thing.around; }))
+  if (of_mesh || std::none_of(things.begin(), things.end(), [](const ThingInTheWay& thing) { return thing.around; }))
     return "";
   return ". What is all round the path is often the table: crop the scan inside the rim of the part (setCrop)";
+}
+
+/** Whether \p path has contacts on the part itself, not over a gap of it, in one of \p keep_outs. */
+bool
+cutsPartIn(const std::vector<Prism>& keep_outs, const Path& path)
+{
+  return std::any_of(path.begin(), path.end(), [&](const ToolpathPoint& p) {
+    return p.over_gap == 0 && std::any_of(keep_outs.begin(), keep_outs.end(),
+                                          [&p](const Prism& prism) { return prism.contains(p.getVector3fMap().cast<double>()); });
+  });
 }
 
 /** Refuses a ball that enters a keep-out, and a shank that cuts into what stands there. */
@@ -54,8 +72,11 @@ checkKeepOuts(const Path& path, const WayTool& tool, const Surroundings& around,
 {
   if (const auto entry = deepestEntry(path, ballCentres(path, tool.radius), tool.radius, around.keep_outs)) {
     blocked = BlockedWay{BlockedBy::KeepOut, std::max(more * entry->depth, least * tool.spacing), entry->depth > beyond * tool.spacing};
-    return {StatusCode::Failed, textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place),
-                                       ": enlarge the polygon there by that much (addKeepOut)")};
+    const std::string fault = textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place));
+    if (cutsPartIn(around.keep_outs, path))
+      return {StatusCode::InvalidInput, fault + ": points of the part are in the keep-out; leave them out: PartRegion "
+                                                "gives the indices of those that can be cut"};
+    return {StatusCode::Failed, fault + ": enlarge the polygon there by that much (addKeepOut)"};
   }
   const auto deepest = [&](const Path& any) { return deepestPoint(any, tool.radius, around.kept_out); };
   const auto isFree = [&](const Path& any) {
@@ -100,9 +121,9 @@ checkBeside(const Path& path, const WayTool& tool, const Surroundings& around, s
   const auto isFree = [&](const Path& any) { return inTheWay(any, points).empty(); };
   blocked = BlockedWay{BlockedBy::Beside, 0.0, false};
   return {StatusCode::Failed,
-          textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth, " mm into the scan at ",
-                 placeText(things.front().place), ", beside what is cut. ", thingsText(things),
-                 ": keep out of each with a polygon that covers it (addKeepOut)", lessTilt(path, tool, isFree), otherRemedies(things))};
+          textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth, " mm into the ",
+                 around.of_mesh ? "mesh" : "scan", " at ", placeText(things.front().place), ", beside what is cut. ",
+                 remedyOf(things, around.of_mesh), lessTilt(path, tool, isFree), otherRemedies(things, around.of_mesh))};
 }
 
 } // namespace

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/surroundings_check.h>
 
+#include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/collision/impl/way_check.h>
+#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/toolpath_fields.h>
+#include <pcl_spiral/core/tool_holder.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace pcl_spiral {
 
@@ -20,9 +26,33 @@ withSurface(Surroundings around, const Surface& surface)
   return around;
 }
 
-void
-gapsToHoles(const Surroundings& around, std::vector<BoundaryLoop>& loops)
+std::vector<Eigen::Vector3f>
+offSurface(const Surface& surface, const std::vector<Eigen::Vector3f>& points)
 {
+  constexpr double deviations = 12.0; // of the noise: as the points of a cluster, see standing_clusters
+  constexpr double near = 2.0;        // spacings: beside the points of the surface
+  const PointBlocks& blocks = surface.graph().blocks();
+  std::vector<std::uint8_t> off(points.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i) {
+    const Eigen::Vector3d p = points[i].cast<double>();
+    const std::uint32_t nearest = blocks.nearest(p);
+    const Eigen::Vector3d from = p - surface.position(nearest);
+    off[i] = from.norm() > near * surface.spacing() || std::abs(surface.normal(nearest).dot(from)) > deviations * surface.noise();
+  }
+  std::vector<Eigen::Vector3f> others;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (off[i] != 0)
+      others.push_back(points[i]);
+  return others;
+}
+
+void
+gapsToHoles(const Surroundings& around, const Surface& surface, double radius, std::vector<BoundaryLoop>& loops,
+            std::vector<std::string>& warnings)
+{
+  if (around.empty())
+    return;
   for (BoundaryLoop& loop : loops) {
     const Eigen::Vector3d across = loop.type == LoopType::ScanGap ? polygonArea(loop.curve) : Eigen::Vector3d::Zero();
     if (across.isZero(0.0))
@@ -30,9 +60,21 @@ gapsToHoles(const Surroundings& around, std::vector<BoundaryLoop>& loops)
     const Prism inside(loop.curve, across);
     if (!inside.fault().empty())
       continue;
+    const Eigen::Vector3d normal = surface.normal(surface.graph().blocks().nearest(loop.curve.front()));
+    const Eigen::Vector3d up = across.dot(normal) < 0.0 ? Eigen::Vector3d(-across.normalized()) : Eigen::Vector3d(across.normalized());
+    const auto shows = [&](const Eigen::Vector3f& point) {
+      const Eigen::Vector3d p = point.cast<double>();
+      const double height = up.dot(p - loop.curve.front());
+      return height > -radius && height < (shank_radii + 2.0) * radius && inside.contains(p);
+    };
+    std::ptrdiff_t count = 0;
     for (const auto points : {&around.kept_out, &around.beside, &around.standing})
-      if (std::any_of(points->begin(), points->end(), [&](const Eigen::Vector3f& p) { return inside.contains(p.cast<double>()); }))
-        loop.type = LoopType::Inner;
+      count += std::count_if(points->begin(), points->end(), shows);
+    if (count <= static_cast<std::ptrdiff_t>(largest_echo))
+      continue;
+    loop.type = LoopType::Inner;
+    warnings.push_back(textOf("a gap at ", placeText(loop.curve.front()), ", ", inside.width(),
+                              " mm wide, is a hole that is not cut: ", count, " points of the scan that are not of the part lie in it"));
   }
 }
 

@@ -79,7 +79,7 @@ isClear(const OuterSide& side)
   case SideVote::ViewPoint:
     return side.mean_cosine >= weak_view && side.agreement >= agreeing_view && side.view_spread <= surrounding_view;
   case SideVote::GivenNormals:
-    return side.z_cosine > -clear_z || side.view_cosine > 0.0;
+    return side.z_cosine > -clear_z || side.convex_cosine > -clearly_curved || side.view_cosine > 0.0;
   case SideVote::Convex:
     break;
   }
@@ -139,6 +139,17 @@ sideWarnings(const OuterSide& side)
     warnings.push_back("+z does not show the outer side, so the convex side was taken: give a view point "
                        "(setViewPoint) or flip the normals (setFlipNormals) if the cutter comes from the other side");
   return warnings;
+}
+
+std::vector<std::string>
+sensorWarnings(const OuterSide& side)
+{
+  if (side.flipped || side.vote != SideVote::ViewPoint || side.z_cosine > -clear_z)
+    return {};
+  return {textOf("the path is on the side of the sensor that the cloud names (sensor_origin_), which faces away from +z (mean cosine ",
+                 rounded(side.z_cosine), ")", curvedSide(side),
+                 "; if the cloud was moved or scaled after the scan, its sensor may not have been: give the view point (setViewPoint), or "
+                 "flip the normals (setFlipNormals) if the cutter comes from +z")};
 }
 
 } // namespace pcl_spiral

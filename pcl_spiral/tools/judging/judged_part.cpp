@@ -82,9 +82,10 @@ cutBeside(const std::vector<Eigen::Vector3f>& beside, const pcl::PointCloud<Tool
   std::unique_ptr<CutterSweep> sweep;
   if (beside.empty() || !readCutterPath(path, moves).ok() || !makeSweep(moves, cutter, settings.tips, sweep).ok())
     return std::nullopt;
-  std::vector<double> depths;
-  for (const Eigen::Vector3f& point : beside)
-    depths.push_back(sweep->deepest(point.cast<double>()));
+  std::vector<double> depths(beside.size());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(beside.size()); ++i)
+    depths[i] = sweep->deepest(beside[i].cast<double>());
   return deepestOf(beside, depths);
 }
 

@@ -24,16 +24,6 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** Sets which points of the scan are the part. */
-template <typename Stage>
-void
-setPart(const Job& job, const Result& result, Stage& stage)
-{
-  if (result.part.part_at)
-    stage.setPartAt(*result.part.part_at);
-  stage.setClusterHandling(job.part.clusters);
-}
-
 /** Whether turns were made before the generator of \p report ended. */
 bool
 madeTurns(const SpiralReport& report)
@@ -67,7 +57,9 @@ surfaceOf(const Job& job, const Result& result, ProgressBar& bar)
   scanned.setThinning(result.mesh ? 0.0 : job.settings.thinning);
   if (job.settings.outlier_neighbours > 0 && !result.mesh)
     scanned.setOutlierRemoval(job.settings.outlier_neighbours, job.settings.outlier_deviations);
-  setPart(job, result, scanned);
+  if (result.part.part_at)
+    scanned.setPartAt(*result.part.part_at);
+  scanned.setClusterHandling(job.part.clusters);
   scanned.setNumberOfThreads(job.settings.threads);
   scanned.setQuiet(true);
   scanned.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.25 * share, stage); });
@@ -138,6 +130,8 @@ SpiralSettings
 settingsFor(const Job& job, const Result& result)
 {
   SpiralSettings settings = job.settings;
+  settings.part_at = result.part.part_at;
+  settings.clusters = job.part.clusters;
   settings.centre = fromScan(settings.centre);
   settings.start_point = fromScan(settings.start_point);
   if (!result.mesh)
@@ -181,10 +175,8 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
   generator.setInputCloud(result.scan.cloud);
   if (result.surface)
     generator.setInputSurface(result.surface);
-  else {
+  else
     setSide(result.side, generator);
-    setPart(job, result, generator);
-  }
   if (!result.mesh && !result.part.beside.empty())
     generator.setSurfaceBeyond(surfaceBeyond(*result.surface, result.part.beside, job.settings.tool_radius));
   result.settings.flip_normals = job.settings.flip_normals;

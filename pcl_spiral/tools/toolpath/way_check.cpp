@@ -16,6 +16,7 @@ surroundingsOf(const Result& result)
   around.kept_out = result.part.kept_out;
   around.beside = result.part.beside;
   around.scan = result.whole_scan;
+  around.of_mesh = result.mesh.has_value();
   return around;
 }
 

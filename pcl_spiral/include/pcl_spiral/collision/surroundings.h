@@ -19,9 +19,10 @@ namespace pcl_spiral {
 struct Surroundings {
   std::vector<Prism> keep_outs;                  ///< the ball stays out of them; the holes that they leave in the part are no gaps
   std::vector<Eigen::Vector3f> kept_out;         ///< points in keep-outs, as of a clamp, whose top the shank can meet
-  std::vector<Eigen::Vector3f> beside;           ///< other points of the scan that are not of the part
+  std::vector<Eigen::Vector3f> beside;           ///< other points of the scan that are not of the part; false echoes may be among them
   std::vector<Eigen::Vector3f> standing;         ///< points that are no false echoes: of other parts, of clusters on the part
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr scan; ///< all of it, which tells false echoes among beside; null: there are none
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr scan; ///< all of it, which tells the false echoes among beside; null: there are none
+  bool of_mesh = false;                          ///< the points are samples of a mesh: messages say so
 
   /** Whether there is nothing. */
   bool empty() const { return keep_outs.empty() && kept_out.empty() && beside.empty() && standing.empty(); }

@@ -162,9 +162,9 @@ public:
   void setSurfaceBeyond(std::vector<SurfacePatch> patches) { beyond_ = std::move(patches); }
   const std::vector<SurfacePatch>& getSurfaceBeyond() const { return beyond_; } ///< The value of setSurfaceBeyond.
   /** What ball and shank must not cut into: a path that does is refused, with the place (SpiralReport::blocked_way). To this are always
-   *  added the finite points that setIndices leaves out of the cloud, those of other parts of the scan that setPartAt or setLargestPart
-   *  leaves out, and those of clusters that the ball rides over. A gap in which there is one of them is a hole. Empty by default. The
-   *  keep-outs of PartRegion go here, too. */
+   *  added the finite points that setIndices leaves out of the cloud, but for those on the surface itself, those of other parts of the
+   *  scan that setPartAt or setLargestPart leaves out, and those of clusters that the ball rides over. A gap that is found and in which
+   *  there are more of them than a false echo is a hole. Empty by default. The keep-outs of PartRegion go here, too. */
   void setSurroundings(const Surroundings& around) { around_ = around; }
   const Surroundings& getSurroundings() const { return around_; } ///< The value of setSurroundings.
   /** What to do with places that the ball does not reach; Ride by default. */
@@ -203,7 +203,7 @@ private:
   Status makeConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, bool alone, StageClock& clock,
                              SpiralTurns& turns);
   Status makePublished(const Surface& surface, StageClock& clock, SpiralPath& path);
-  Surroundings allAround(const Surface& surface) const;
+  Surroundings allAround(const Surface& surface);
   Status makePath(StageClock& clock, Surface::ConstPtr surface, const Surroundings& around, SpiralPath& path);
   Status run(StageClock& clock, SpiralPath& path);
 

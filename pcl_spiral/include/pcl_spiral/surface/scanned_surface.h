@@ -21,7 +21,7 @@ struct UsablePoints;
  *  it, and the surplus where points lie much closer in one direction than in the other. Left out on request: statistical
  *  outliers and thinned points. Points are never moved. PCA finds the normals. They point out of the material, to the side of
  *  the cutter: the side the input normals face as a whole, else the view point, else +z, else the convex side (with a warning). Input
- *  normals that face away from +z are warned of, unless a view point confirms them: pcl::NormalEstimation turns normals to (0, 0, 0).
+ *  normals on a hollow side away from +z are warned of, unless a view point confirms them: pcl::NormalEstimation turns to (0, 0, 0).
  *
  *  setIndices: only those points take part. The others are not used and do not count as left out. Stages that get a cloud make
  *  the same surface by the same rules. To save time, make it once and give it to all stages (setInputSurface).
@@ -50,7 +50,7 @@ public:
   bool getTrustNormals() const { return settings_.trust_normals; } ///< The value of setTrustNormals.
 
   /** Position of the scanner: normals face it. Without it, that of the cloud counts if it is not zero (pcl::PointCloud::sensor_origin_,
-   *  VIEWPOINT of a file), else normals face +z as a whole. */
+   *  VIEWPOINT of a file), with a warning if it is on the other side than +z; else normals face +z as a whole. */
   void setViewPoint(const Eigen::Vector3d& point) { settings_.view_point = point; }
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return settings_.view_point; } ///< The value of setViewPoint.
   void clearViewPoint() { settings_.view_point.reset(); }                                     ///< Takes back setViewPoint.

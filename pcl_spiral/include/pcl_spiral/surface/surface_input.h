@@ -20,7 +20,7 @@ namespace pcl_spiral {
  *
  *  Base of BoundaryLoops, GapBridging, GeodesicPath, RadialLines, StepOverField, MLSProjector, SpiralToolpathGenerator, CutterLocation,
  *  DrivePath and of the classes that check results. \p BaseT is the PCL class that each one replaces.
- *  setIndices: only those points of the cloud take part, as in ScannedSurface.
+ *  setIndices: the surface is made of those points, as in ScannedSurface; with MLSProjector they are the queries, and all support it.
  */
 template <typename BaseT, typename PointT, typename PointNT = pcl::Normal>
 class SurfaceInput : public BaseT {

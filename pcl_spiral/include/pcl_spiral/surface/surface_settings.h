@@ -20,7 +20,7 @@ enum class ClusterHandling {
 
 /** Settings of ScannedSurface; its setters explain them. Lengths in mm. */
 struct SurfaceSettings {
-  std::optional<Eigen::Vector3d> view_point;          ///< normals face it; absent: towards +z as a whole
+  std::optional<Eigen::Vector3d> view_point;          ///< normals face it; absent: the sensor of the cloud, else +z as a whole
   bool flip_normals = false;                          ///< turn all normals to the other side
   bool largest_part = false;                          ///< keep only the part with the largest area if there are several
   std::optional<Eigen::Vector3d> part_at;             ///< of several parts keep the one nearest to this place

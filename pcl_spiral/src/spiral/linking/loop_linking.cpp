@@ -7,6 +7,7 @@
 #include "loop_cuts.h"
 #include "main_chain.h"
 #include "spiral/loops/loop_finder.h"
+#include "spiral/path/given_path.h"
 
 #include <pcl_spiral/common/impl/message.h>
 
@@ -160,6 +161,8 @@ Status
 linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::optional<Eigen::Vector3d>& start, bool one_way)
 {
   path = LinkedPath();
+  if (const Status status = checkGiven(loops.size(), "the set of loops"); !status.ok())
+    return status;
   path.basis = loops.front().basis;
   CutLoops cuts(loops);
   auto finder = std::make_unique<const LoopFinder>(loops);

@@ -2,6 +2,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
+#include "given_path.h"
 #include "shank_room.h"
 
 #include "core/smooth_axes.h"
@@ -136,6 +137,8 @@ Status
 setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings,
             const std::vector<Eigen::Vector3f>& obstacles)
 {
+  if (const Status status = checkGiven(path.contacts.size(), "the path"); !status.ok())
+    return status;
   if (settings.fixed_axis)
     return setFixedAxis(settings.fixed_axis->normalized(), path, figures);
   std::vector<Eigen::Vector3d> wanted;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/loop_linking.h>
 
+#include "given_path.h"
 #include "path_feet.h"
 
 #include <pcl_spiral/common/impl/message.h>
@@ -111,6 +112,8 @@ samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings&
            double& longest_step)
 {
   points.clear();
+  if (const Status status = checkGiven(path.points.size(), "the linked path"); !status.ok())
+    return status;
   if (const Status status = checkBasis(path.basis, {settings.tool_radius, settings.scallop_height}, "the linked path"); !status.ok())
     return status;
   std::vector<double> steps;

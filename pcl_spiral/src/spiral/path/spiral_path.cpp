@@ -2,6 +2,7 @@
 #include <pcl_spiral/spiral/impl/tight_places.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
+#include "given_path.h"
 #include "path_feet.h"
 #include "tight_ride.h"
 
@@ -114,6 +115,8 @@ Status
 putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
              const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach)
 {
+  if (const Status status = checkGiven(curve.size(), "the curve"); !status.ok())
+    return status;
   TightPlaces tight(settings.tool_radius);
   path.contacts.resize(curve.size());
   path.normals.resize(curve.size());
@@ -171,6 +174,8 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
           PathFigures& figures)
 {
   figures = PathFigures();
+  if (const Status status = checkGiven(path.contacts.size(), "the path"); !status.ok())
+    return status;
   const Polyline& feet = path.onSurface();
   for (std::size_t i = 1; i < path.contacts.size(); ++i) {
     if (beginsPass(path.passes, i))

@@ -100,9 +100,11 @@ template <typename PointT, typename PointNT>
 void
 PartRegion<PointT, PointNT>::applyFilter(pcl::PointCloud<PointT>& output)
 {
-  into_cloud_ = true;
+  const struct Mark {
+    bool& is_set;
+    ~Mark() { is_set = false; }
+  } mark{into_cloud_ = true};
   StatusFilter<PointT>::applyFilter(output);
-  into_cloud_ = false;
 }
 
 template <typename PointT, typename PointNT>
@@ -111,7 +113,7 @@ PartRegion<PointT, PointNT>::choose(pcl::Indices& kept, pcl::Indices& removed)
 {
   if (const Status status = check(); !status.ok())
     return status;
-  if (into_cloud_ && !keep_outs_.empty())
+  if (into_cloud_ && !keep_outs_.empty() && !this->negative_)
     return {StatusCode::InvalidArgument, "there are keep-outs (addKeepOut), which a cloud does not carry on, so that a path over it would "
                                          "cross them: call filter with pcl::Indices, and give scan, indices and keep-outs to the planner "
                                          "(setInputCloud, setIndices, setSurroundings)"};

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_spiral {
 
@@ -245,8 +246,9 @@ CutterLocation<PointT>::compute(std::vector<ToolLocations>& passes)
   figures_ = LocationFigures();
   bisection_figures_ = BisectionFigures();
   location_surface_.reset();
-  if (!this->computeBy("CutterLocation", [&] { return run(passes); }))
-    passes.clear();
+  std::vector<ToolLocations> made;
+  if (this->computeBy("CutterLocation", [&] { return run(made); }))
+    passes = std::move(made);
 }
 
 } // namespace pcl_spiral

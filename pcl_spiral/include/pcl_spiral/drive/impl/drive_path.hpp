@@ -6,6 +6,8 @@
 #include <pcl_spiral/drive/impl/drive_path_engine.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
+#include <utility>
+
 namespace pcl_spiral {
 
 template <typename PointT>
@@ -50,8 +52,9 @@ DrivePath<PointT>::compute(DrivePasses& passes)
 {
   passes.clear();
   report_ = DriveReport();
-  if (!this->computeBy("DrivePath", [&] { return run(passes); }))
-    passes.clear();
+  DrivePasses made;
+  if (this->computeBy("DrivePath", [&] { return run(made); }))
+    passes = std::move(made);
 }
 
 } // namespace pcl_spiral

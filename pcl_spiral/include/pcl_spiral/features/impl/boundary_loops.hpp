@@ -6,6 +6,8 @@
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
+#include <utility>
+
 namespace pcl_spiral {
 
 template <typename PointT, typename PointNT>
@@ -37,8 +39,9 @@ BoundaryLoops<PointT, PointNT>::compute(std::vector<BoundaryLoop>& loops)
 {
   loops.clear();
   counts_ = BoundaryCounts();
-  if (!this->computeBy("BoundaryLoops", [&] { return run(loops); }))
-    loops.clear();
+  std::vector<BoundaryLoop> found;
+  if (this->computeBy("BoundaryLoops", [&] { return run(found); }))
+    loops = std::move(found);
 }
 
 } // namespace pcl_spiral

@@ -34,8 +34,9 @@ void
 GapBridging<PointT, PointNT>::compute(BridgedSurface& bridged)
 {
   bridged = BridgedSurface();
-  if (!this->computeBy("GapBridging", [&] { return run(bridged); }))
-    bridged = BridgedSurface();
+  BridgedSurface made;
+  if (this->computeBy("GapBridging", [&] { return run(made); }))
+    bridged = std::move(made);
   gaps_ = bridged.gaps;
   warnings_ = bridged.warnings;
 }

@@ -59,10 +59,11 @@ LoopLinking<PointT, PointNT>::compute(LinkedPath& path)
   figures_ = ScallopFigures();
   this->warnings_.clear();
   const ThreadLimit limit(this->getNumberOfThreads());
-  if (!this->computeBy("LoopLinking", [&] { return run(path); })) {
-    path = LinkedPath();
+  LinkedPath made;
+  if (this->computeBy("LoopLinking", [&] { return run(made); }))
+    path = std::move(made);
+  else
     figures_ = ScallopFigures();
-  }
 }
 
 } // namespace pcl_spiral

@@ -6,6 +6,8 @@
 #include <pcl_spiral/spiral/impl/step_over_input.hpp>
 #include <pcl_spiral/spiral/scallop_loops.h>
 
+#include <utility>
+
 namespace pcl_spiral {
 
 template <typename PointT, typename PointNT>
@@ -44,8 +46,9 @@ ScallopLoops<PointT, PointNT>::compute(ScallopLoopSet& set)
   this->warnings_.clear();
   const ThreadLimit limit(this->getNumberOfThreads());
   Surface::ConstPtr surface;
-  if (!this->computeBy("ScallopLoops", [&] { return run(surface, this->progress_, set); }))
-    set = ScallopLoopSet();
+  ScallopLoopSet made;
+  if (this->computeBy("ScallopLoops", [&] { return run(surface, this->progress_, made); }))
+    set = std::move(made);
 }
 
 template <typename PointT, typename PointNT>
@@ -55,8 +58,9 @@ ScallopLoops<PointT, PointNT>::compute(DrivePasses& passes)
   passes.clear();
   this->warnings_.clear();
   const ThreadLimit limit(this->getNumberOfThreads());
-  if (!this->computeBy("ScallopLoops", [&] { return runPasses(passes); }))
-    passes.clear();
+  DrivePasses made;
+  if (this->computeBy("ScallopLoops", [&] { return runPasses(made); }))
+    passes = std::move(made);
 }
 
 } // namespace pcl_spiral

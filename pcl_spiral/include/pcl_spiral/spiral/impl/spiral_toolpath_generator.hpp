@@ -59,7 +59,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
     boundaries.compute(loops);
     if (!boundaries.getStatus().ok())
       return boundaries.getStatus();
-    gapsToHoles(around, loops);
+    gapsToHoles(around, *surface, settings_.tool_radius, loops, report_.warnings);
   }
   BridgedSurface bridged;
   const bool all = methodAsked(settings_) != SpiralMethod::Radial && settings_.boundary_mode == BoundaryMode::Automatic;
@@ -119,27 +119,40 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
 /** The given surroundings, and all of the scan that is not of \p surface. */
 template <typename PointInT, typename PointNT, typename PointOutT>
 Surroundings
-SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::allAround(const Surface& surface) const
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::allAround(const Surface& surface)
 {
   Surroundings around = withSurface(around_, surface);
   const pcl::IndicesPtr part = this->givenIndices();
-  if (!this->input_ || !part)
+  const bool of_this_cloud = this->input_ && part && this->input_->size() == surface.inputSize();
+  if (!of_this_cloud && surface.counts().input < surface.inputSize() && around_.empty())
+    report_.warnings.push_back(
+        textOf("the surface was made from ", surface.counts().input, " of ", surface.inputSize(),
+               " points of a cloud, and what the others show is not known here: the ball may cut into it; give the cloud with its indices, "
+               "too, before the surface (setInputCloud, setInputSurface)"));
+  if (!of_this_cloud)
     return around;
   std::vector<std::uint8_t> is_part(this->input_->size(), 0);
   for (const pcl::index_t i : *part)
     is_part[static_cast<std::size_t>(i)] = 1;
   const auto scan = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  std::vector<Eigen::Vector3f> others;
   for (std::size_t i = 0; i < is_part.size(); ++i) {
     const Eigen::Vector3f p = (*this->input_)[i].getVector3fMap();
     if (!p.allFinite())
       continue;
     scan->emplace_back(p.x(), p.y(), p.z());
-    const auto contains = [&p](const Prism& prism) { return prism.contains(p.cast<double>()); };
     if (is_part[i] == 0)
-      (std::any_of(around.keep_outs.begin(), around.keep_outs.end(), contains) ? around.kept_out : around.beside).push_back(p);
+      others.push_back(p);
   }
-  if (!around.scan)
+  if (!around.scan) { // what the user gave has no echoes
+    around.standing.insert(around.standing.end(), around.beside.begin(), around.beside.end());
+    around.beside.clear();
     around.scan = scan;
+  }
+  for (const Eigen::Vector3f& p : offSurface(surface, others)) {
+    const auto contains = [&p](const Prism& prism) { return prism.contains(p.cast<double>()); };
+    (std::any_of(around.keep_outs.begin(), around.keep_outs.end(), contains) ? around.kept_out : around.beside).push_back(p);
+  }
   return around;
 }
 

@@ -4,6 +4,7 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/search/impl/usable_points.h>
+#include <pcl_spiral/surface/impl/side_text.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <pcl/console/print.h>
@@ -152,6 +153,9 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
                                              "material, or none (setInputNormals with a null pointer)")};
   if (const Status status = makeSurface(std::move(points), sidedSettings(), counts, parts, why); !status.ok())
     return status;
+  if (!settings_.view_point)
+    for (std::string& warning : sensorWarnings(parts.side))
+      parts.warnings.push_back(std::move(warning));
   if (no_normal)
     parts.warnings.push_back("the input normals are all zero or not numbers, and were not used");
   for (std::uint32_t i = 0; i < why.size(); ++i)

@@ -21,4 +21,7 @@ std::string sideText(const OuterSide& side);
  *  the user asked for the other side. */
 std::vector<std::string> sideWarnings(const OuterSide& side);
 
+/** A warning if the vote is that of a view point on the other side than +z, which nobody set: it came with the cloud. */
+std::vector<std::string> sensorWarnings(const OuterSide& side);
+
 } // namespace pcl_spiral
