@@ -73,8 +73,8 @@ checkSettings(const SpiralSettings& s)
   if (s.outlier_neighbours < 0 || !(s.outlier_deviations > 0.0))
     return refused("the number of neighbours of the outlier filter", s.outlier_neighbours,
                    "give a count of 0 (none) or more, and a threshold above 0 standard deviations");
-  if (s.threads > most_threads)
-    return refused("the number of threads", s.threads, "give 0 for all, or a count up to 256");
+  if (const Status status = checkThreads(s.threads); !status.ok())
+    return status;
   if (!(s.acceleration > 0.0) || !std::isfinite(s.acceleration))
     return refused("the acceleration", s.acceleration, "it must be above 0 mm/s2");
   if (!(s.least_turn_radius >= 0.0) || !(s.least_turn_radius <= 0.25))
