@@ -21,7 +21,6 @@ namespace {
 
 constexpr double link = 2.0;           // spacings
 constexpr double loose_link = 6.0;     // spacings: of points that stand far apart for their cluster
-constexpr double unseen = 2.0;         // spacings from the nearest point of the surface
 constexpr std::size_t least_patch = 2; // points
 
 /** Height of a point over the surface. */
@@ -256,7 +255,7 @@ joinToClusters(const std::vector<StandingCluster>& groups, double reach, std::ve
 StandingPoints
 standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points)
 {
-  constexpr double over_noise = 8.0, far_over_noise = 12.0, over_spacing = 0.3;
+  constexpr double over_noise = 8.0, over_spacing = 0.3;
   StandingPoints found;
   if (points.empty())
     return found;

@@ -16,6 +16,9 @@
 
 namespace pcl_spiral {
 
+constexpr double far_over_noise = 12.0; ///< times the noise: no point of the surface is farther from it; two of a cluster are
+constexpr double unseen = 2.0;          ///< spacings from the nearest point of the surface: there it was not seen
+
 /** Heights of points over a surface, and what can be seen from them. */
 struct StandingPoints {
   std::vector<StandingCluster> clusters; ///< the highest first; their indices are among the points given

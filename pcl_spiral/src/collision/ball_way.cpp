@@ -109,7 +109,7 @@ reachOf(const pcl::PointCloud<ToolpathPoint>& path, double radius)
   Eigen::AlignedBox3f box;
   for (const ToolpathPoint& p : path)
     box.extend(p.getVector3fMap());
-  const Eigen::Vector3f reach = Eigen::Vector3f::Constant(static_cast<float>((shank_radii + 2.0) * radius));
+  const Eigen::Vector3f reach = Eigen::Vector3f::Constant(static_cast<float>(reach_radii * radius));
   return {box.min() - reach, box.max() + reach};
 }
 

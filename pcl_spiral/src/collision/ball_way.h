@@ -17,6 +17,8 @@
 
 namespace pcl_spiral {
 
+constexpr double reach_radii = shank_radii + 2.0; ///< no place of a ball and its shank is farther from the contact
+
 /** Where the ball is deepest in something. */
 struct BallEntry {
   double depth = 0.0;    ///< mm

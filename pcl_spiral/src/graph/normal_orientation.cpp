@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "normal_orientation.h"
+#include "side_limits.h"
 
 #include "search/pieces.h"
 
@@ -73,7 +74,6 @@ enum SideTerm {
 };
 using SideSums = Eigen::Array<double, SideTerms, 1>;
 
-constexpr double clear_z = 0.1;     // of the area-weighted mean cosine
 constexpr double common_side = 0.9; // share of the given normals that must agree
 
 /** Which vote decides, and by what margin. \p side is the signed sum that decides. */

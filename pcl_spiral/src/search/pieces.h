@@ -41,6 +41,20 @@ forPoints(std::size_t points, Work work)
   });
 }
 
+/** Those of \p points for which \p holds(point) is true, in their order; asked in parallel. */
+template <typename Point, typename Holds>
+std::vector<Point>
+pointsWhere(const std::vector<Point>& points, Holds holds)
+{
+  std::vector<std::uint8_t> held(points.size());
+  forPoints(points.size(), [&](std::uint32_t i) { held[i] = holds(points[i]); });
+  std::vector<Point> chosen;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (held[i] != 0)
+      chosen.push_back(points[i]);
+  return chosen;
+}
+
 /** The sum of what \p add(v, sum) adds for every point: pieces in parallel, then one after the other. */
 template <typename Sum, typename Add>
 Sum

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/surroundings_check.h>
 
+#include "cleaning/standing_clusters.h"
+#include "collision/ball_way.h"
+#include "search/pieces.h"
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/toolpath_fields.h>
-#include <pcl_spiral/core/tool_holder.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 namespace pcl_spiral {
 
@@ -29,22 +30,13 @@ withSurface(Surroundings around, const Surface& surface)
 std::vector<Eigen::Vector3f>
 offSurface(const Surface& surface, const std::vector<Eigen::Vector3f>& points)
 {
-  constexpr double deviations = 12.0; // of the noise: as the points of a cluster, see standing_clusters
-  constexpr double near = 2.0;        // spacings: beside the points of the surface
   const PointBlocks& blocks = surface.graph().blocks();
-  std::vector<std::uint8_t> off(points.size());
-#pragma omp parallel for schedule(dynamic, 256)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i) {
-    const Eigen::Vector3d p = points[i].cast<double>();
+  return pointsWhere(points, [&](const Eigen::Vector3f& point) {
+    const Eigen::Vector3d p = point.cast<double>();
     const std::uint32_t nearest = blocks.nearest(p);
     const Eigen::Vector3d from = p - surface.position(nearest);
-    off[i] = from.norm() > near * surface.spacing() || std::abs(surface.normal(nearest).dot(from)) > deviations * surface.noise();
-  }
-  std::vector<Eigen::Vector3f> others;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (off[i] != 0)
-      others.push_back(points[i]);
-  return others;
+    return from.norm() > unseen * surface.spacing() || std::abs(surface.normal(nearest).dot(from)) > far_over_noise * surface.noise();
+  });
 }
 
 void
@@ -65,7 +57,7 @@ gapsToHoles(const Surroundings& around, const Surface& surface, double radius, s
     const auto shows = [&](const Eigen::Vector3f& point) {
       const Eigen::Vector3d p = point.cast<double>();
       const double height = up.dot(p - loop.curve.front());
-      return height > -radius && height < (shank_radii + 2.0) * radius && inside.contains(p);
+      return height > -radius && height < reach_radii * radius && inside.contains(p);
     };
     std::ptrdiff_t count = 0;
     for (const auto points : {&around.kept_out, &around.beside, &around.standing})

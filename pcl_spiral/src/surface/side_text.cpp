@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/impl/side_text.h>
 
+#include "graph/side_limits.h"
 #include <pcl_spiral/common/impl/message.h>
 
 #include <cmath>
@@ -9,7 +10,6 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double weak_z = 0.4;           // mean cosine: an upright hemisphere has 0.5, a wall 0
-constexpr double clear_z = 0.1;          // mean cosine: +z decides from here on, see chooseOuterSide
 constexpr double agreeing_z = 0.75;      // share of the area: a part with larger undercuts has no side towards +z
 constexpr double weak_view = 0.1;        // mean cosine: at most a flat scan seen under 6 degrees
 constexpr double agreeing_view = 0.9;    // share of the area: a scanner sees only what faces it, but for noise

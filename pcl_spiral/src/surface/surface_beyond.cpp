@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/impl/surface_beyond.h>
 
+#include "search/pieces.h"
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <omp.h>
@@ -22,18 +23,11 @@ std::vector<Eigen::Vector3f>
 nearPart(const Surface& part, const std::vector<Eigen::Vector3f>& points, double distance)
 {
   const PointBlocks& blocks = part.graph().blocks();
-  std::vector<std::uint8_t> near(points.size());
-#pragma omp parallel for schedule(dynamic, 256)
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(points.size()); ++i) {
-    const Eigen::Vector3d p = points[i].cast<double>();
-    near[i] = blocks.box().squaredDistance(points[i].data()) <= static_cast<float>(distance * distance) &&
-              (blocks.position(blocks.nearest(p)) - p).norm() <= distance;
-  }
-  std::vector<Eigen::Vector3f> kept;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (near[i] != 0)
-      kept.push_back(points[i]);
-  return kept;
+  return pointsWhere(points, [&](const Eigen::Vector3f& point) {
+    const Eigen::Vector3d p = point.cast<double>();
+    return blocks.box().squaredDistance(point.data()) <= static_cast<float>(distance * distance) &&
+           (blocks.position(blocks.nearest(p)) - p).norm() <= distance;
+  });
 }
 
 /** Whether a ball of \p radius on a point of \p part has one of \p points in it. */

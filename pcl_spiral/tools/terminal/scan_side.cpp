@@ -2,6 +2,7 @@
 #include "scan_side.h"
 #include "scan_places.h"
 
+#include "graph/side_limits.h"
 #include <pcl_spiral/surface/impl/side_text.h>
 
 using namespace pcl_spiral;
@@ -28,9 +29,8 @@ sideLine(const ScanSide& asked, const OuterSide& found)
 std::vector<std::string>
 viewPointWarnings(const ScanSide& asked, const OuterSide& found)
 {
-  constexpr double clear = -0.1; // mean cosine: +z decides from 0.1 on
   const bool is_default = asked.view_point && inScan(*asked.view_point).isZero(1e-6);
-  if (found.vote != SideVote::ViewPoint || asked.from_option || !is_default || found.flipped || found.z_cosine > clear)
+  if (found.vote != SideVote::ViewPoint || asked.from_option || !is_default || found.flipped || found.z_cosine > -clear_z)
     return {};
   return {
       "the cloud is organised and its VIEWPOINT is 0 0 0, so the path is on the side that a camera there sees, which faces away from +z: "
