@@ -33,6 +33,13 @@ for folder in "$library"/include/pcl_spiral/*/ "$library"/src/*/; do
   done < <(grep -rnE '#[[:space:]]*include[[:space:]]*([<"]pcl_spiral/|")[a-z_]+/' "$folder" || true)
 done
 
+# Two classes of one name in two headers are one class to the linker, which then calls the functions of the other.
+fault "classes with the same name in two headers" \
+  "$(find "$library/src" "$library/include" -name '*.h' -o -name '*.hpp' | sort |
+    xargs grep -HoE '^(struct|class|enum class) [A-Z][A-Za-z0-9]+ *(final *)?[:{]' |
+    sed -E 's/^([^:]*):(enum )?(struct|class) ([A-Za-z0-9]+).*/\4 \1/' | sort |
+    awk '$1 == name { print before; print } { name = $1; before = $0 }')"
+
 # Folders within a room (. is the room itself): each includes its own files and those of the folders named before it.
 part_order() { # ROOM -> its folders, from the ground up
   case "$1" in

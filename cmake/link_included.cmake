@@ -5,7 +5,7 @@ function(pcl_spiral_link_included target source)
   set(pairs "pcl_spiral/io/:pcl_spiral_io" "io/:pcl_spiral_io" "pcl_spiral/visualization/:pcl_spiral_visualization"
             "visualization/:pcl_spiral_visualization" "pcl/io/:pcl_io"
             "pcl/surface/:pcl_surface" "pcl_spiral/visualization/add_:pcl_visualization"
-            "boost/program_options:Boost::program_options" "yaml-cpp/:yaml-cpp" "X11/:X11::X11")
+            "boost/program_options:Boost::program_options" "yaml-cpp/:yaml-cpp" "nlohmann/:nlohmann_json::nlohmann_json" "X11/:X11::X11")
   foreach(module IN LISTS VTK_LIBRARIES) # a header's name does not say its module: all that the project asks for
     list(APPEND pairs "vtk:${module}")
   endforeach()

@@ -15,5 +15,6 @@ function(pcl_spiral_man_page target)
                              ${PROJECT_SOURCE_DIR}/cmake/man_page.awk
                      COMMENT "Making the man page of ${target}" VERBATIM)
   add_custom_target(${target}_man ALL DEPENDS ${page})
-  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  add_dependencies(pcl_spiral_programs ${target}_man)
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
 endfunction()

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the three targets, the headers, the CMake package, the pkg-config files; CPack makes the .deb.
+# Components: libraries (what runs), development (what compiles), programs (with man pages and machine files), documentation.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_spiral)
 
@@ -9,34 +10,39 @@ function(pcl_spiral_install target component description requires)
     return()
   endif()
   install(TARGETS ${target} EXPORT ${target}
-          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
-          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(EXPORT ${target} FILE pcl_spiral_${component}_targets.cmake NAMESPACE pcl_spiral:: DESTINATION ${package_dir})
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT libraries
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  install(EXPORT ${target} FILE pcl_spiral_${component}_targets.cmake NAMESPACE pcl_spiral:: DESTINATION ${package_dir}
+          COMPONENT development)
 
   file(RELATIVE_PATH PC_PREFIX /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
   set(PC_NAME ${target})
   set(PC_DESCRIPTION ${description})
   set(PC_REQUIRES ${requires})
   configure_file(${PROJECT_SOURCE_DIR}/cmake/pcl_spiral.pc.in ${PROJECT_BINARY_DIR}/${target}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/${target}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  install(FILES ${PROJECT_BINARY_DIR}/${target}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endfunction()
 
 pcl_spiral_install(pcl_spiral core "${PROJECT_DESCRIPTION}" "pcl_features pcl_filters pcl_search pcl_kdtree eigen3 liblz4")
 pcl_spiral_install(pcl_spiral_io io "Readers and writers of pcl_spiral" "pcl_spiral")
 pcl_spiral_install(pcl_spiral_visualization visualization "Pictures and viewer of pcl_spiral" "pcl_spiral")
 
-install(DIRECTORY pcl_spiral/include/pcl_spiral DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY pcl_spiral/doc DESTINATION ${CMAKE_INSTALL_DOCDIR}/pcl_spiral) # where README.md names its pages
-install(DIRECTORY examples/machines DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_spiral)
+install(DIRECTORY pcl_spiral/include/pcl_spiral DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+install(DIRECTORY pcl_spiral/doc DESTINATION ${CMAKE_INSTALL_DOCDIR}/pcl_spiral # where README.md names its pages
+        COMPONENT documentation)
+install(DIRECTORY examples/machines DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_spiral COMPONENT programs)
 
 configure_package_config_file(cmake/pcl_spiral-config.cmake.in ${PROJECT_BINARY_DIR}/pcl_spiral-config.cmake
                               INSTALL_DESTINATION ${package_dir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/pcl_spiral-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/pcl_spiral-config.cmake ${PROJECT_BINARY_DIR}/pcl_spiral-config-version.cmake
-              cmake/Findlz4.cmake DESTINATION ${package_dir})
+              cmake/Findlz4.cmake DESTINATION ${package_dir} COMPONENT development)
 
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return() # the parent makes its own package
+endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME pcl-spiral)
 set(CPACK_PACKAGE_CONTACT "The pcl_spiral authors <pcl_spiral@localhost>")

@@ -16,7 +16,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-constexpr double a = 1650.0, b = 860.0;
+constexpr double axis_a = 1650.0, axis_b = 860.0;
 
 /** Longitudes of the rim points in degrees, and their distances from latitude 60, longitude 0 by
  * GeographicLib. */
@@ -68,12 +68,12 @@ int
 judgeGeodesics(const Options& options)
 {
   Table table("geodesics: 200,000 points of the spheroid, from latitude 60 to the rim");
-  const test::SurfacePtr surface = test::spheroidCap(a, b);
-  const Eigen::Vector3d source = test::onSpheroid(a, b, 60.0, 0.0);
+  const test::SurfacePtr surface = test::spheroidCap(axis_a, axis_b);
+  const Eigen::Vector3d source = test::onSpheroid(axis_a, axis_b, 60.0, 0.0);
   Polyline targets;
   std::vector<Eigen::Vector3d> points{source};
   for (const auto& [longitude, length] : published()) {
-    targets.push_back(test::onSpheroid(a, b, 0.0, longitude));
+    targets.push_back(test::onSpheroid(axis_a, axis_b, 0.0, longitude));
     points.push_back(targets.back());
   }
   const std::vector<Eigen::Vector3d> samples = test::sampleUniform(*surface, 200000, options.seed).points;

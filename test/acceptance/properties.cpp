@@ -12,7 +12,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-constexpr unsigned int longest = 200; ///< s
+constexpr unsigned int longest_case = 200; ///< s
 
 /** A run of the planner on a case. */
 struct Made {
@@ -117,7 +117,7 @@ motions(const Eigen::Affine3d& moved, SpiralMethod method)
 }
 
 Outcome
-outcomeOf(const RandomCase& random, SpiralMethod method)
+propertiesOf(const RandomCase& random, SpiralMethod method)
 {
   SpiralSettings settings = settingsOf(random, method);
   settings.thinning = 0.0;   // voxels are parallel to the axes
@@ -147,8 +147,8 @@ judgeProperties(const Options& options)
 {
   if (!isMethod(options.method))
     return 2;
-  return judgeSeries("properties", options, longest,
-                     [&options](const RandomCase& random) { return outcomeOf(random, *methodNamed(options.method)); });
+  return judgeSeries("properties", options, longest_case,
+                     [&options](const RandomCase& random) { return propertiesOf(random, *methodNamed(options.method)); });
 }
 
 } // namespace pcl_spiral::acceptance

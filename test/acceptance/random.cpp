@@ -16,7 +16,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-constexpr unsigned int longest = 30; ///< s
+constexpr unsigned int longest_run = 30; ///< s
 
 /** Collects broken limits. */
 class Faults {
@@ -205,7 +205,7 @@ judgeRandom(const Options& options)
 {
   if (!isMethod(options.method))
     return 1;
-  return judgeSeries("random", options, longest,
+  return judgeSeries("random", options, longest_run,
                      [&options](const RandomCase& made) { return outcomeOf(made, *methodNamed(options.method)); });
 }
 

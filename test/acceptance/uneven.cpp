@@ -124,15 +124,15 @@ addOutliers(const test::AnalyticSurface& surface, double share, double near, std
   }
 }
 
-struct Outcome {
+struct UnevenRun {
   Run run;
   test::PathFigures figures;
 };
 
-Outcome
-outcomeOf(const Job& job, const std::vector<Eigen::Vector3d>& points, const Options& options)
+UnevenRun
+unevenRun(const Job& job, const std::vector<Eigen::Vector3d>& points, const Options& options)
 {
-  Outcome outcome;
+  UnevenRun outcome;
   outcome.run = run(job, test::toCloud(points), options.threads);
   if (outcome.run.status.ok())
     outcome.figures = test::checkPath(*job.surface, test::fromToolpath(outcome.run.path), 20.0, options.threads);
@@ -166,7 +166,7 @@ judgeScan(const Job& job, const Scan& scan, const std::vector<Polyline>& outline
   test::Sampled even = test::sampleUniform(*job.surface, countAt(*job.surface, scan.coarse), options.seed + 500);
   if (scan.noise > 0.0)
     test::addNoise(even, scan.noise, options.seed + 501);
-  const Outcome clean = outcomeOf(job, even.points, options), ugly = outcomeOf(job, scan.points, options);
+  const UnevenRun clean = unevenRun(job, even.points, options), ugly = unevenRun(job, scan.points, options);
   table.holds(job.name + ", " + scan.name + ": a path is made", clean.run.status.ok() && ugly.run.status.ok(),
               clean.run.status.message() + ugly.run.status.message());
   table.note("  time, clean and ugly", std::to_string(clean.run.seconds) + " / " + std::to_string(ugly.run.seconds));
@@ -258,7 +258,7 @@ judgeOutliers(const Options& options)
       std::vector<Eigen::Vector3d> with_outliers = scan.points;
       addOutliers(surface, 0.02, 20.0, options.seed, with_outliers);
       std::vector<Polyline> outlines; // a random scan has no point at a corner
-      for (const BoundaryLoop& loop : outcomeOf(job, scan.points, options).run.report.loops)
+      for (const BoundaryLoop& loop : unevenRun(job, scan.points, options).run.report.loops)
         outlines.push_back(loop.curve);
       judgeScan(job, {name, with_outliers, 2.0, noise}, outlines, options, table);
     };
@@ -278,7 +278,7 @@ judgeNoise(const Options& options)
     const double sigma = 0.1 * spacing;
     test::Sampled scan = test::sampleUniform(*job.surface, countAt(*job.surface, spacing), options.seed);
     test::addNoise(scan, sigma, options.seed + 1);
-    const Outcome outcome = outcomeOf(job, scan.points, options);
+    const UnevenRun outcome = unevenRun(job, scan.points, options);
     table.holds(job.name + ": a path is made", outcome.run.status.ok(), outcome.run.status.message());
     if (!outcome.run.status.ok())
       continue;

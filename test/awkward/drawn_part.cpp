@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drawn_part.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double two_pi = 6.28318530717958647692;
 constexpr double body_spacing = 0.5;
 
 test::PlaneLoop
@@ -79,7 +80,7 @@ Eigen::Isometry3d
 levelMotion(test::Random& random, double reach)
 {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = Eigen::AngleAxisd(random.uniform(0.0, two_pi), Vector3d::UnitZ()).toRotationMatrix();
+  motion.linear() = Eigen::AngleAxisd(random.uniform(0.0, full_turn), Vector3d::UnitZ()).toRotationMatrix();
   motion.translation() = reach * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
   return motion;
 }

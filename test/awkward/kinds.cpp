@@ -3,6 +3,8 @@
 
 #include "support/height_field.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -16,8 +18,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 using Arguments = std::vector<std::string>;
-
-constexpr double two_pi = 6.28318530717958647692;
 
 /** The part stands on a table between clamps, which do not touch it. */
 void
@@ -34,7 +34,7 @@ tableAndClamps(Scene& s, test::Random& random)
     clamp.half_y = random.uniform(5.0, 10.0);
     clamp.bottom = -down;
     clamp.top = random.uniform(5.0, 15.0);
-    const double angle = random.uniform(0.0, two_pi);
+    const double angle = random.uniform(0.0, full_turn);
     const Vector2d way(std::cos(angle), std::sin(angle));
     // outward until the clamp is clear of the part by more than the ball, and of the other clamps
     for (double out = 0.0;; out += 2.0) {
@@ -114,7 +114,7 @@ cameraFrame(Scene& s, test::Random& random)
   drawScan(s, drawnPart(random, s.size), random);
   const double lean = random.uniform(0.0, 0.5), far = random.uniform(300.0, 800.0);
   s.motion.linear() =
-      (Eigen::AngleAxisd(two_pi / 2.0 + lean, Vector3d::UnitX()) * Eigen::AngleAxisd(random.uniform(0.0, two_pi), Vector3d::UnitZ()))
+      (Eigen::AngleAxisd(full_turn / 2.0 + lean, Vector3d::UnitX()) * Eigen::AngleAxisd(random.uniform(0.0, full_turn), Vector3d::UnitZ()))
           .toRotationMatrix();
   s.motion.translation() = Vector3d(0.0, 0.0, far);
   if (random.below(2) == 0) {
@@ -175,7 +175,7 @@ jug(Scene& s, test::Random& random)
 {
   const double radius = s.size * random.uniform(30.0, 50.0), height = s.size * random.uniform(40.0, 70.0), turn = random.uniform(0.25, 0.7);
   const bool inside = random.below(2) == 0;
-  const test::Region region({test::rectangle(two_pi * radius * turn, height, {0.0, 0.5 * height})});
+  const test::Region region({test::rectangle(full_turn * radius * turn, height, {0.0, 0.5 * height})});
   drawScan(s, std::make_shared<Wall>(region, radius, random.uniform(0.05, 0.4), inside), random);
   s.motion = levelMotion(random, 100.0);
   const double pole = inside ? 0.0 : 10.0 * radius;

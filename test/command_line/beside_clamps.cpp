@@ -15,6 +15,8 @@
 #include <regex>
 #include <sstream>
 
+namespace beside_clamps_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -413,3 +415,5 @@ TEST_F(BesideClamps, AllSmallPartsAreListedOrCounted)
   const std::regex part("mm2 at \\(");
   EXPECT_EQ(std::distance(std::sregex_iterator(refused.err.begin(), refused.err.end(), part), std::sregex_iterator()), 4) << refused.err;
 }
+
+} // namespace beside_clamps_test

@@ -12,6 +12,8 @@
 #include <random>
 #include <sstream>
 
+namespace clusters_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -159,3 +161,5 @@ TEST_F(Clusters, ADriveRefusesRidesOrLeavesOut)
   ASSERT_EQ(drive({"--clusters", "leave-out"}).code, 0);
   EXPECT_GT(deepest(), 3.0);
 }
+
+} // namespace clusters_test

@@ -15,6 +15,8 @@
 #include <random>
 #include <sstream>
 
+namespace command_line_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -487,3 +489,5 @@ TEST_F(CommandLine, ControlCLeavesNothingBehind)
     EXPECT_EQ(folder_.count(), 2U) << "the two scans";
   }
 }
+
+} // namespace command_line_test

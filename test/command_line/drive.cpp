@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <sstream>
 
+namespace drive_test {
+
 namespace {
 
 const std::string program = PCL_SPIRAL_DRIVE_PROGRAM;
@@ -608,3 +610,5 @@ TEST(Drive, LinksStayDownWhereTheWayIsFree)
   EXPECT_EQ(refused.code, 2);
   expectHas(refused.err, "--stay-down: no output is a program");
 }
+
+} // namespace drive_test

@@ -17,6 +17,8 @@
 #include <random>
 #include <sstream>
 
+namespace drive_part_test {
+
 namespace {
 
 using Eigen::Vector3d;
@@ -281,3 +283,5 @@ TEST_F(DriveRegions, ThatCannotBeAreRefused)
   writeText(folder_.path("west.txt"), "-120 -40\n-78 -40\n-78 40\n-120 40\n");
   refuses({"--region", "west.txt", "--part-at", "85,10,7"}, 2, "this place is in no --region");
 }
+
+} // namespace drive_part_test

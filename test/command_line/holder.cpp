@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace holder_test {
+
 using Eigen::Vector3d;
 
 namespace {
@@ -280,3 +282,5 @@ TEST(ProgramHolder, AnAxisBlendedAtThePoleMayNotBringTheHolderIntoAWall)
   EXPECT_EQ(accepted.code, 0) << accepted.err;
   expectHas(accepted.err, "warning: segment 1 of the holder would be ");
 }
+
+} // namespace holder_test

@@ -15,6 +15,8 @@
 #include <map>
 #include <random>
 
+namespace interruption_test {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -215,3 +217,5 @@ TEST_F(Interruption, PlacesThatCannotBeWrittenAreRefusedBeforeAnyWork)
     refused("locked/a.csv", "choose a folder you may write to", 1);
   }
 }
+
+} // namespace interruption_test

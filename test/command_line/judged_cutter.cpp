@@ -11,6 +11,8 @@
 #include <memory>
 #include <sstream>
 
+namespace judged_cutter_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -172,3 +174,5 @@ TEST_F(JudgedCutter, TheSurfaceAfterCuttingIsWritten)
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_NE(readText(folder_.path("path_left.ply")).find("property float stock"), std::string::npos);
 }
+
+} // namespace judged_cutter_test

@@ -14,6 +14,8 @@
 #include <regex>
 #include <sstream>
 
+namespace judged_program_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -334,3 +336,5 @@ TEST_F(JudgedProgram, WhatCannotBeJudgedIsRefusedWithTheRemedy)
   expectHas(high.err, "above the scan on all of its feed moves");
   expectHas(verify("part.ngc", machines + "/xyzac.yaml", {"--mesh"}).err, "programs are judged by a scan; leave --mesh out");
 }
+
+} // namespace judged_program_test

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace mesh_drive_test {
+
 namespace {
 
 using namespace pcl_spiral::test;
@@ -89,3 +91,5 @@ TEST_F(MeshDrive, CornersLeaveWhatTheMessageSaysAndItsRemediesWork)
   EXPECT_EQ(judged.code, 0) << judged.out << judged.err;
   EXPECT_EQ(judged.out.find("wrong tips"), std::string::npos) << judged.out;
 }
+
+} // namespace mesh_drive_test

@@ -16,6 +16,8 @@
 #include <random>
 #include <sstream>
 
+namespace mesh_toolpath_test {
+
 namespace {
 
 using namespace pcl_spiral::test;
@@ -301,3 +303,5 @@ TEST_F(MeshToolpath, TheSameForAnyNumberOfThreads)
   ASSERT_EQ(run(hills(), {"--threads", "2"}).code, 0);
   EXPECT_EQ(readText(folder_.path("a.csv")), alone);
 }
+
+} // namespace mesh_toolpath_test

@@ -15,6 +15,8 @@
 #include <regex>
 #include <sstream>
 
+namespace part_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -440,3 +442,5 @@ TEST_F(Part, ADriveKeepsOutOfTheClampToo)
   EXPECT_GE(nearest, radius - 1e-4);
   EXPECT_LE(nearest, radius + 1.1) << "as far as possible: within the point spacing";
 }
+
+} // namespace part_test

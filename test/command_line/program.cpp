@@ -11,6 +11,8 @@
 #include <random>
 #include <sstream>
 
+namespace program_test {
+
 namespace {
 
 const std::string program = PCL_SPIRAL_TOOLPATH_PROGRAM;
@@ -360,3 +362,5 @@ TEST(Program, OfThreeAxes)
   EXPECT_EQ(both.code, 2);
   expectHas(both.err, "--tilt changes the tool axis along the path, and --axis keeps it; leave one of the two out");
 }
+
+} // namespace program_test

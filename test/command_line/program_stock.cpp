@@ -15,6 +15,8 @@
 #include <regex>
 #include <sstream>
 
+namespace program_stock_test {
+
 using namespace pcl_spiral::test;
 using Eigen::Vector3d;
 
@@ -203,3 +205,5 @@ TEST_F(ProgramStock, FaultsOfTheProgramAreFound)
   EXPECT_EQ(fault([](Lines& lines) { lines.insert(middleOf(lines), "G0 Z-30.0"); }), "cut too deep") << "a rapid through the part";
   EXPECT_THROW(fault(replaced("^G1", "G2")), std::runtime_error);
 }
+
+} // namespace program_stock_test

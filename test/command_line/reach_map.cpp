@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace reach_map_test {
+
 namespace {
 
 constexpr double slope = 0.7, fillet = 3.0, half_width = 20.0, tool = 4.0, largest = 4.0 * tool; // mm
@@ -145,3 +147,5 @@ TEST(ReachMap, AndThePathAgreeOnGroovesOfAFewSpacings)
     EXPECT_GT(least, 0.5 * exact) << seed; // with points up to 1.7 spacings apart, fits err to the safe side
   }
 }
+
+} // namespace reach_map_test

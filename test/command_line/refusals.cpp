@@ -15,6 +15,8 @@
 #include <random>
 #include <sstream>
 
+namespace refusals_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -291,3 +293,5 @@ TEST_F(Refusals, WarningsAboutUnitsAndNoise)
   EXPECT_TRUE(has(stray, "91 outliers were left out: 1 isolated")) << stray;
   EXPECT_TRUE(has(stray, "90 in clusters apart from the surface")) << stray;
 }
+
+} // namespace refusals_test

@@ -16,6 +16,8 @@
 #include <random>
 #include <sstream>
 
+namespace regions_test {
+
 namespace {
 
 using namespace two_domes;
@@ -240,3 +242,5 @@ TEST_F(Regions, ALinkThatWouldTouchTheScanIsRefusedWithoutAProgramToo)
   EXPECT_EQ(accepted.code, 0) << accepted.err;
   EXPECT_NE(accepted.err.find("on its way up from the path"), std::string::npos) << accepted.err;
 }
+
+} // namespace regions_test

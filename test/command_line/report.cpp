@@ -16,6 +16,8 @@
 #include <set>
 #include <sstream>
 
+namespace report_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -232,3 +234,5 @@ TEST_F(Report, IsRefusedWithoutADisplayOrAPlace)
 }
 
 } // namespace
+
+} // namespace report_test

@@ -16,6 +16,8 @@
 #include <set>
 #include <sstream>
 
+namespace ridge_test {
+
 namespace {
 
 using namespace pcl_spiral::test;
@@ -341,3 +343,5 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithTheData)
   refused("bent.txt", "generator.txt", "corner");
   refused("generator.txt", "rail.txt", "generator.txt, rail.txt: ");
 }
+
+} // namespace ridge_test

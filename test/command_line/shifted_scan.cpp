@@ -13,6 +13,8 @@
 #include <iomanip>
 #include <sstream>
 
+namespace shifted_scan_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -300,3 +302,5 @@ TEST_F(ShiftedScan, RidgeRowsAreThoseOfTheSameLinesNearZero)
   expectHas(made.out, "meets the rail at (3937");
   expectSame("map.csv", "near.csv");
 }
+
+} // namespace shifted_scan_test

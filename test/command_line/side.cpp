@@ -10,6 +10,8 @@
 #include <iomanip>
 #include <sstream>
 
+namespace side_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -267,3 +269,5 @@ TEST_F(Side, ACameraAtTheOriginIsHeeded)
   outside("camera.pcd", {"--flip-normals"});
   EXPECT_EQ(run_.err.find("camera"), std::string::npos) << run_.err;
 }
+
+} // namespace side_test

@@ -9,6 +9,8 @@
 #include <chrono>
 #include <sstream>
 
+namespace stages_test {
+
 namespace {
 
 using Json = nlohmann::ordered_json; // keeps the order of the file
@@ -124,3 +126,5 @@ TEST(Stages, SaidOnlyWhenAskedFor)
   EXPECT_EQ(makePath(folder, {}).result.out.find("peak MB"), std::string::npos);
   EXPECT_EQ(makePath(folder, {"--quiet", "--verbose"}).result.out, "");
 }
+
+} // namespace stages_test

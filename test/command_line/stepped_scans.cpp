@@ -14,6 +14,8 @@
 #include <random>
 #include <sstream>
 
+namespace stepped_scans_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -187,3 +189,5 @@ TEST_F(SteppedScans, ATableAllRoundTheRimIsLeftOutByACropInsideIt)
 }
 
 } // namespace
+
+} // namespace stepped_scans_test

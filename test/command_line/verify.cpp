@@ -19,6 +19,8 @@
 #include <memory>
 #include <sstream>
 
+namespace verify_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -384,3 +386,5 @@ TEST_F(Verify, WrongCallsAndDataAreRefused)
 }
 
 } // namespace
+
+} // namespace verify_test

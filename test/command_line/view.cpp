@@ -10,6 +10,8 @@
 
 #include <X11/Xlib.h>
 
+namespace view_test {
+
 namespace {
 
 using Arguments = std::vector<std::string>;
@@ -160,3 +162,5 @@ TEST_F(View, AMeshIsShownByItsFaces)
 }
 
 } // namespace
+
+} // namespace view_test

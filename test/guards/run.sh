@@ -46,6 +46,7 @@ plant $headers/common/status.h "// $(yes x | head -n 140 | tr -d '\n')"
 plant $headers/common/status.h 'struct Planted { int threads_ = 0; };'
 plant $headers/spiral/spiral_settings.h 'struct Planted { int chunk_size_ = 0; };'
 plant pcl_spiral/src/core/polyline.cpp 'const char* const planted = "thin it (--thin)";'
+plant pcl_spiral/src/ridge/planted.h 'class OutlineSide {};'
 plant CMakeLists.txt 'add_compile_options(-march=native)'
 plant pcl_spiral/CMakeLists.txt 'target_compile_options(pcl_spiral PRIVATE -ffast-math)'
 plant cmake/planted.cmake 'add_compile_definitions(PCL_NO_PRECOMPILE)'

@@ -53,3 +53,34 @@ check_tree "$scratch/deb/usr"
 cmake -G Ninja -S "$source" -B "$scratch/without" -DPCL_SPIRAL_BUILD_VISUALIZATION=OFF -DCMAKE_DISABLE_FIND_PACKAGE_X11=ON \
   >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "the filters do not configure without X11"; }
 ! cmake --build "$scratch/without" --target help | grep -q visualization || fail "the pictures are built although they are not wanted"
+
+# Components: what runs, without what compiles.
+for component in libraries programs; do
+  cmake --install "$build" --prefix "$scratch/parts" --component "$component" >/dev/null
+done
+"$scratch/parts/bin/pcl_spiral_toolpath" --version >/dev/null || fail "the programs do not run from their components"
+found=$(cd "$scratch/parts" && find . -name '*.h' -o -name '*.cmake' -o -name '*.pc')
+[ -z "$found" ] || fail "the components libraries and programs have $found"
+
+# As a subproject: the libraries alone, and the parent keeps its own settings and names of targets.
+mkdir "$scratch/parent"
+cat >"$scratch/parent/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.22)
+project(parent LANGUAGES C CXX)
+add_custom_target(doc)
+enable_testing()
+add_subdirectory("$source" pcl_spiral)
+if(CMAKE_BUILD_TYPE OR CMAKE_CXX_STANDARD OR CMAKE_CXX_COMPILER_LAUNCHER)
+  message(FATAL_ERROR "the subproject sets what is the parent's")
+endif()
+file(WRITE "$scratch/main.cpp" "#include <pcl_spiral/core/step_over.h>\nint main() { return 0; }\n")
+add_executable(own "$scratch/main.cpp")
+target_link_libraries(own PRIVATE pcl_spiral::pcl_spiral)
+END
+cmake -G Ninja -S "$scratch/parent" -B "$scratch/parent_build" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "the subproject does not configure"; }
+cmake --build "$scratch/parent_build" --target help >"$scratch/targets"
+found=$(grep -oE '^(test_|example_|pcl_spiral_(toolpath|drive|ridge|verify|view|programs|acceptance))[a-z_]*' "$scratch/targets" || true)
+[ -z "$found" ] || fail "the subproject builds $found"
+grep -q '^CMAKE_BUILD_TYPE:[A-Z]*=$' "$scratch/parent_build/CMakeCache.txt" || fail "the subproject sets the parent's build type"
+found=$(cmake --install "$scratch/parent_build" --prefix "$scratch/nothing" 2>&1; find "$scratch/nothing" -type f 2>/dev/null) || true
+[ ! -e "$scratch/nothing/include" ] || fail "the subproject installs itself with the parent"

@@ -58,9 +58,9 @@ axesFor(const MachineChain& chain, const Vector3d& tip, AxisValues at)
   return turn.inverse() * (tip - shift);
 }
 
-class Control {
+class GcodeControl {
 public:
-  explicit Control(const ControlledMachine& machine) : machine_(machine), tip_control_(machine.tip_control == TipControl::Kinematics)
+  explicit GcodeControl(const ControlledMachine& machine) : machine_(machine), tip_control_(machine.tip_control == TipControl::Kinematics)
   {
     at_.xyz.setConstant(unknown);
     at_.first = at_.second = machine.chain.rotary.empty() ? 0.0 : unknown;
@@ -133,7 +133,7 @@ private:
   std::vector<AxisMove> moves_;
 };
 
-const std::set<std::string> Control::known_codes{"5.1", "17", "21", "40", "43", "49", "54", "61", "64", "80", "90", "93", "94"};
+const std::set<std::string> GcodeControl::known_codes{"5.1", "17", "21", "40", "43", "49", "54", "61", "64", "80", "90", "93", "94"};
 
 } // namespace
 
@@ -153,7 +153,7 @@ placeOn(const ControlledMachine& machine, const AxisMove& move, double share)
 std::vector<AxisMove>
 movesOf(const std::string& text, const ControlledMachine& machine)
 {
-  Control control(machine);
+  GcodeControl control(machine);
   std::istringstream stream(text);
   std::size_t number = 0;
   for (std::string line; std::getline(stream, line);)

@@ -69,7 +69,7 @@ heightMesh(Height height, double size, int cells)
 
 /** Hills 60, 38 and 25 mm apart. */
 inline double
-landform(double x, double y)
+hills(double x, double y)
 {
   const auto wave = [](double width) { return 2.0 * M_PI / width; };
   return 1.6 * std::sin(wave(60) * (x + 0.3 * y) + 0.3) + 0.9 * std::sin(wave(38) * (0.5 * x + y) + 1.1) +

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/mesh_surfaces.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include "support/height_field.h"
 
 #include <cmath>
 
 namespace pcl_spiral::test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /** A function of one variable with its first and second derivative. */
 struct Curve {

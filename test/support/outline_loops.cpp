@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/outline_loops.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral::test {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /** Points of a circle from one angle to another, both ends included. */
 void

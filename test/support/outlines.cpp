@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/outlines.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include "support/outline_loops.h"
 #include "support/sampling.h"
 
@@ -11,8 +13,6 @@
 namespace pcl_spiral::test {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /** An outline and the surface under it, before variation. */
 struct Drawing {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/path_checks.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include "support/move_tree.h"
 
 #include <Eigen/Geometry>
@@ -14,8 +16,6 @@ namespace pcl_spiral::test {
 
 namespace {
 
-constexpr double degrees = 57.29577951308232;
-
 Place
 placeAt(const AnalyticSurface& surface, const CheckedPath& path, std::size_t i, double value)
 {
@@ -25,7 +25,7 @@ placeAt(const AnalyticSurface& surface, const CheckedPath& path, std::size_t i, 
 double
 angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
-  return degrees * std::atan2(a.cross(b).norm(), a.dot(b));
+  return in_degrees * std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 /** Index of the entry of largest magnitude. */

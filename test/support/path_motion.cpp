@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/path_motion.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -9,11 +11,7 @@
 
 namespace pcl_spiral::test {
 
-namespace {
-
-constexpr double degrees = 57.29577951308232;
-
-} // namespace
+namespace {} // namespace
 
 double
 lineLength(const Points& line)
@@ -83,7 +81,7 @@ reversals(const Points& line, double pitch)
   bool before = false;
   for (std::size_t i = half; i + half + 1 < p.size(); ++i) {
     const Eigen::Vector3d a = p[i - half + 1] - p[i - half], b = p[i + half + 1] - p[i + half];
-    const double angle = degrees * std::atan2(a.cross(b).norm(), a.dot(b));
+    const double angle = in_degrees * std::atan2(a.cross(b).norm(), a.dot(b));
     const bool now = angle > 150.0;
     if (now && !before && f.count++ == 0)
       f.first = {angle, p[i], 0.0, 0.0, i};

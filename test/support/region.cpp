@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/region.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,7 +11,6 @@ namespace pcl_spiral::test {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr std::size_t bucket_count = 1024;
 
 /** Abscissa where the edge a-b meets the row v, for edges that cross it (half open). */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/sampling.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,8 +10,6 @@
 namespace pcl_spiral::test {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /** Upper bound of the area element, from a grid over the region with a margin. */
 double

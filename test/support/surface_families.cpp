@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/height_field.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <cmath>
 
 namespace pcl_spiral::test {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 class SineSum : public HeightField {
 public:

@@ -5,19 +5,23 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 
 namespace pcl_spiral {
 
+/** Points worked on between two reports of progress, where a run can be cancelled. */
+constexpr std::size_t report_chunk = 1u << 16;
+
 /** Call \p body(i) for all i from \p first to below \p end, in any order and in parallel. \p progress: called with the share done after
- *  every 65536 of them; false cancels. \p size: how many of these one call does the work of. A single call leaves the threads to loops in
- *  \p body. Returns false if cancelled. */
+ *  every report_chunk of them; false cancels. \p size: how many of these one call does the work of. A single call leaves the threads to
+ *  loops in \p body. Returns false if cancelled. */
 template <typename Body>
 bool
 stoppableLoop(std::int64_t first, std::int64_t end, const std::function<bool(double)>& progress, const Body& body, std::int64_t size = 1)
 {
-  const std::int64_t together = std::max<std::int64_t>(1, 65536 / size), shared_out = std::max<std::int64_t>(1, 256 / size);
+  const std::int64_t together = std::max<std::int64_t>(1, report_chunk / size), shared_out = std::max<std::int64_t>(1, 256 / size);
   for (std::int64_t begin = first; begin < end; begin += together) {
     if (progress && !progress(static_cast<double>(begin - first) / static_cast<double>(end - first)))
       return false;

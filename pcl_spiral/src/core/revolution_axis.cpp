@@ -139,16 +139,16 @@ placeBetweenNormals(const Sample& sample, const Vector3d& direction)
   return place - direction * direction.dot(place);
 }
 
-struct Fit {
+struct AxisFit {
   RevolutionAxis axis;
   Axis end;
   double left = 0.0; ///< mean square of the normals' components round the axis, and of those along it less the cubic
 };
 
-Fit
+AxisFit
 judged(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic, const Equations& equations)
 {
-  Fit fit;
+  AxisFit fit;
   fit.end = axis;
   fit.axis.direction = axis.direction;
   fit.axis.origin = axis.origin - axis.direction * axis.direction.dot(axis.origin);
@@ -174,7 +174,7 @@ judged(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic, con
   return fit;
 }
 
-std::optional<Fit>
+std::optional<AxisFit>
 fitFrom(const Sample& sample, Axis axis)
 {
   Eigen::Vector4d cubic = Eigen::Vector4d::Zero();
@@ -198,15 +198,15 @@ fitFrom(const Sample& sample, Axis axis)
 
 /** The fit with the smallest residual. A cylinder also goes round any distant axis across its own, as a piece of a huge ring: of fits
  *  with nearly equal residuals, the one with the most certain direction. */
-std::optional<Fit>
-bestOf(const std::vector<Fit>& fits)
+std::optional<AxisFit>
+bestOf(const std::vector<AxisFit>& fits)
 {
   constexpr double as_much = 1.5, rounding = 1e-8;
   double least = std::numeric_limits<double>::max();
-  for (const Fit& fit : fits)
+  for (const AxisFit& fit : fits)
     least = std::min(least, fit.left);
-  std::optional<Fit> best;
-  for (const Fit& fit : fits)
+  std::optional<AxisFit> best;
+  for (const AxisFit& fit : fits)
     if (fit.left <= as_much * least + rounding && !std::isnan(fit.axis.uncertainty) &&
         (!best || fit.axis.uncertainty < best->axis.uncertainty))
       best = fit;
@@ -239,11 +239,11 @@ fitRevolutionAxis(const std::vector<Vector3d>& points, const std::vector<Vector3
     sample.points.push_back((p - mean) / size);
   const Eigen::Matrix3d start = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
   const Sample some = sample.thinned(few_points);
-  std::vector<Fit> fits;
+  std::vector<AxisFit> fits;
   for (int k = 0; k < 3; ++k)
     if (const auto fit = fitFrom(some, {placeBetweenNormals(some, start.col(k)), start.col(k)}))
       fits.push_back(*fit);
-  std::optional<Fit> best = bestOf(fits);
+  std::optional<AxisFit> best = bestOf(fits);
   if (best)
     best = fitFrom(sample, best->end);
   if (!best)

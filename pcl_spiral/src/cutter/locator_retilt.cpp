@@ -13,7 +13,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int rings = 6, around = 12;
-constexpr int most_rounds = 6; // of axes that clear the points but not the fitted surface
+constexpr int most_fit_rounds = 6; // of axes that clear the points but not the fitted surface
 
 /** Axes about \p axis, the least tilt first; axes with the same tilt start with those nearest to \p away. */
 class ConeOfAxes {
@@ -79,7 +79,7 @@ CutterLocationEngine::retilt(const DrivePoint* drive, std::size_t count, ToolLoc
           locations[i].state == LocationState::Unreachable ? drive[i].normal : Eigen::Vector3d(locations[i].tip - met);
       pending.push_back({i, ConeOfAxes(locations[i].axis, away, options_.max_retilt * degree)});
     }
-  for (int round = 0; round < most_rounds && !pending.empty(); ++round) {
+  for (int round = 0; round < most_fit_rounds && !pending.empty(); ++round) {
 #pragma omp parallel for schedule(dynamic, 4)
     for (std::int64_t k = 0; k < static_cast<std::int64_t>(pending.size()); ++k) {
       Pending& p = pending[k];

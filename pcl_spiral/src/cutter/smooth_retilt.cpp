@@ -12,8 +12,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int rings = 6;
-constexpr int most_rounds = 8;
+constexpr int disc_rings = 6;
+constexpr int most_turnings = 8;
 constexpr double not_free = 100.0; // costs more than any turn, squared radians
 constexpr double cannot = 1e9;     // at an end where the turn has to be none
 constexpr double rounding = 1e-9;
@@ -40,7 +40,7 @@ struct SmoothRetilt::Place {
 };
 
 SmoothRetilt::SmoothRetilt(const LocationGround& ground, const HolderProfile& holder, double most, double step)
-: ground_(ground), holder_(holder), disc_(most, rings), step_(step),
+: ground_(ground), holder_(holder), disc_(most, disc_rings), step_(step),
   stride_(static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(2.0) * disc_.spacing() / step - rounding)))),
   ramp_(static_cast<std::size_t>(std::ceil(most / step)) + stride_)
 {}
@@ -180,7 +180,7 @@ SmoothRetilt::window(Place* places, std::size_t count, bool from_zero, bool to_z
     stations.push_back(count - 1);
   std::vector<Eigen::Vector2d> turns;
   ToolLocations found(count);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_turnings; ++round) {
     turns = bestWay(places, stations, from_zero, to_zero);
     DrivePoints turned;
     for (std::size_t i = 0; i < count; ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "corner_choice.h"
+#include "side_fit.h"
 
 #include <pcl_spiral/core/impl/angles.h>
 
@@ -14,8 +15,7 @@ namespace {
 
 constexpr double least_corner = 20.0 * pi / 180.0; // turn
 constexpr double sure_corner = 75.0 * pi / 180.0;
-constexpr double corner_cost = 8.0;  // what a corner must save, in units of EdgeFit::cost
-constexpr double freedom_cost = 6.0; // of one more wave
+constexpr double corner_cost = 8.0; // what a corner must save, in units of EdgeFit::cost
 
 /** Cost that does not depend on where the fit started from. */
 double
@@ -26,14 +26,14 @@ ownCost(const FittedSide& fitted, double spacing)
 
 /** Squared spacings by which the run of sides \p now encloses more than the run \p was, between the same ends. */
 double
-extraArea(const std::vector<OutlineSide>& was, const std::vector<OutlineSide>& now, double spacing)
+extraArea(const std::vector<EdgeSide>& was, const std::vector<EdgeSide>& now, double spacing)
 {
   double area = 0.0;
-  for (const OutlineSide& side : now) {
+  for (const EdgeSide& side : now) {
     const double step = length(side.nodes, side.closed) / static_cast<double>(side.segments());
     for (const Eigen::Vector3d& p : side.nodes) {
       double nearest = std::numeric_limits<double>::infinity(), offset = 0.0;
-      for (const OutlineSide& other : was) {
+      for (const EdgeSide& other : was) {
         const SideFoot foot = footOn(other, p, 0, static_cast<std::ptrdiff_t>(other.nodes.size()));
         if (const double squared = (p - foot.position).squaredNorm(); squared < nearest) {
           nearest = squared;
@@ -79,7 +79,7 @@ dropSmoothCorners(OutlineDraft& draft)
 
 /** The node where a side turns most, and by how much. */
 std::pair<std::size_t, double>
-sharpestBend(const OutlineSide& side)
+sharpestBend(const EdgeSide& side)
 {
   constexpr std::size_t arm = 10; // nodes
   std::pair<std::size_t, double> sharpest{0, 0.0};
@@ -110,7 +110,7 @@ isBetterPlace(const OutlineDraft& was, std::size_t was_first, const OutlineDraft
     return ownCost(draft.sides[s], draft.spacing()) + ownCost(draft.sides[draft.following(s)], draft.spacing());
   };
   const auto run = [](const OutlineDraft& draft, std::size_t s) {
-    return std::vector<OutlineSide>{draft.trimmed(s), draft.trimmed(draft.following(s))};
+    return std::vector<EdgeSide>{draft.trimmed(s), draft.trimmed(draft.following(s))};
   };
   return cost(now, first) + extraArea(run(was, was_first), run(now, first), was.spacing()) < cost(was, was_first);
 }
@@ -164,7 +164,7 @@ addMissedCorners(OutlineDraft& draft)
     std::size_t side = 0;
     std::pair<std::size_t, double> sharpest{0, 0.0};
     for (std::size_t s = 0; s < draft.corners.size(); ++s) {
-      const OutlineSide& own = draft.sides[s].side;
+      const EdgeSide& own = draft.sides[s].side;
       if (std::find(tried.begin(), tried.end(), own.nodes) != tried.end())
         continue;
       if (const auto bend = sharpestBend(own); std::abs(bend.second) > std::abs(sharpest.second)) {

@@ -57,7 +57,7 @@ struct Gap {
 
 /** Geodesic curvature at every inner node (at every node of a closed side) as it depends on the offsets, 1/spacing. */
 std::vector<Stencil>
-curvatures(const OutlineSide& side, double spacing, double step)
+curvatures(const EdgeSide& side, double spacing, double step)
 {
   const std::size_t m = side.nodes.size();
   const double h2 = step * step;
@@ -77,7 +77,7 @@ curvatures(const OutlineSide& side, double spacing, double step)
 
 /** The terms whose halved squares make up the roughness. */
 std::vector<Stencil>
-roughness(const OutlineSide& side, const EdgeOptions& options, double step)
+roughness(const EdgeSide& side, const EdgeOptions& options, double step)
 {
   const std::vector<Stencil> kappa = curvatures(side, options.spacing, step);
   const double change = std::sqrt(std::pow(options.wavelength / (2.0 * pi), 7) / step);
@@ -98,7 +98,7 @@ roughness(const OutlineSide& side, const EdgeOptions& options, double step)
 }
 
 Gap
-gapOf(const OutlineSide& side, const SidePoint& point)
+gapOf(const EdgeSide& side, const SidePoint& point)
 {
   const auto m = static_cast<std::ptrdiff_t>(side.nodes.size());
   auto a = static_cast<std::ptrdiff_t>(std::floor(point.place));
@@ -141,7 +141,7 @@ private:
 /** The convex function of the offsets that the edge minimises. */
 class EdgeProblem {
 public:
-  EdgeProblem(const OutlineSide& side, const std::vector<SidePoint>& points, const EdgeOptions& options)
+  EdgeProblem(const EdgeSide& side, const std::vector<SidePoint>& points, const EdgeOptions& options)
   : blur_(options.blur), penalty_(side.nodes.size(), 3, side.closed), pressure_(side.nodes.size())
   {
     const std::size_t m = side.nodes.size();
@@ -244,7 +244,7 @@ private:
 } // namespace
 
 EdgeFit
-fitEdge(const OutlineSide& side, const std::vector<SidePoint>& points, const EdgeOptions& options)
+fitEdge(const EdgeSide& side, const std::vector<SidePoint>& points, const EdgeOptions& options)
 {
   constexpr int most_steps = 40;
   EdgeProblem problem(side, points, options);

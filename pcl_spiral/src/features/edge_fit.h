@@ -13,7 +13,7 @@
 namespace pcl_spiral {
 
 /** A smooth stretch of an outline between two corners, or a whole outline without corners (closed). */
-struct OutlineSide {
+struct EdgeSide {
   Polyline nodes;                       ///< evenly spaced
   std::vector<Eigen::Vector3d> normals; ///< of the surface at the nodes
   std::vector<Eigen::Vector3d> outward; ///< unit, tangent to the surface, across the side, at the nodes
@@ -51,6 +51,6 @@ struct EdgeFit {
  *  edge is drawn in by its length, and held out by each point it would leave outside. The rate of change of geodesic
  *  curvature along the side is penalised. The problem is convex.
  */
-EdgeFit fitEdge(const OutlineSide& side, const std::vector<SidePoint>& points, const EdgeOptions& options);
+EdgeFit fitEdge(const EdgeSide& side, const std::vector<SidePoint>& points, const EdgeOptions& options);
 
 } // namespace pcl_spiral

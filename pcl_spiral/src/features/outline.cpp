@@ -73,7 +73,7 @@ drawInCorners(OutlineDraft& draft)
 /** Put nodes on the surface. Draw back those outside the known surface: inwards, or, if that does not lead back to it
  *  (a side that runs off), towards the nearest point of the cloud. */
 void
-fallBack(const MlsSurface& surface, OutlineSide& side)
+fallBack(const MlsSurface& surface, EdgeSide& side)
 {
   const SurfaceGraph& graph = surface.graph();
   const double step = draw_step * graph.spacing();
@@ -123,7 +123,7 @@ assembled(const OutlineDraft& draft)
   const std::size_t count = draft.sides.size(), first = firstSide(draft);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t s = (first + k) % count;
-    OutlineSide side = draft.corners.empty() ? draft.sides[s].side : draft.trimmed(s);
+    EdgeSide side = draft.corners.empty() ? draft.sides[s].side : draft.trimmed(s);
     fallBack(draft.surface(), side);
     if (!side.closed)
       outline.corners.push_back(outline.curve.size());

@@ -99,7 +99,7 @@ OutlineDraft::firstFit(std::size_t c) const
 {
   constexpr double widest_clearance = 4.0, share = 0.2; // spacings; of the side's length
   const Corner &a = corners[c], &b = corners[following(c)];
-  OutlineSide start = smoothSide(pointsBetween(a.point, b.point), false, spacing_);
+  EdgeSide start = smoothSide(pointsBetween(a.point, b.point), false, spacing_);
   const double most = share * length(start.nodes);
   const auto clearance = [&](const Corner& c) {
     return std::min(most, widest_clearance * spacing_ * std::clamp(-c.turn / (0.5 * pi), 0.0, 1.0));
@@ -120,14 +120,14 @@ OutlineDraft::firstFit(std::size_t c) const
 
 /** Fit a side from one corner to another, \p start, with points beyond a re-entrant corner if they belong to it. */
 FittedSide
-OutlineDraft::fitBetween(std::size_t from, std::size_t to, OutlineSide start) const
+OutlineDraft::fitBetween(std::size_t from, std::size_t to, EdgeSide start) const
 {
   constexpr double beyond = 6.0, contested = 14.0; // spacings, from a re-entrant corner
   constexpr std::ptrdiff_t reach = 40;             // nodes
   const Corner &a = corners[from], &b = corners[to];
   makeEven(start, spacing_);
   const auto last = static_cast<std::ptrdiff_t>(start.nodes.size()) - 1;
-  const OutlineSide before = trimmed(preceding(from)), after = trimmed(to);
+  const EdgeSide before = trimmed(preceding(from)), after = trimmed(to);
   const auto last_before = static_cast<std::ptrdiff_t>(before.nodes.size()) - 1;
   // The surface at a re-entrant corner is what lies inside either side: a point belongs to the side it is deeper in.
   const auto own = [&](const Eigen::Vector3d& p) {
@@ -203,7 +203,7 @@ OutlineDraft::merged(std::size_t c) const
   }
   const Polyline rest = trimmed(c).nodes;
   line.insert(line.end(), rest.begin() + 1, rest.end());
-  OutlineSide start = smoothSide(line, false, spacing_);
+  EdgeSide start = smoothSide(line, false, spacing_);
   layOnSurface(surface_, start);
   return fitBetween(preceding(c), following(c), std::move(start));
 }
@@ -287,12 +287,12 @@ OutlineDraft::meetAt(std::size_t c)
   corner.turn = std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
 }
 
-OutlineSide
+EdgeSide
 OutlineDraft::trimmed(std::size_t c) const
 {
   const Corner &a = corners[c], &b = corners[following(c)];
-  const OutlineSide& whole = sides[c].side;
-  OutlineSide side;
+  const EdgeSide& whole = sides[c].side;
+  EdgeSide side;
   const std::size_t begin = std::min(a.cut_after, whole.nodes.size() / 2);
   const std::size_t end = whole.nodes.size() - std::min(b.cut_before, whole.nodes.size() / 2);
   side.nodes.push_back(a.position);

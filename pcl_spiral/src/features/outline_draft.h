@@ -41,7 +41,7 @@ public:
   /** Put a corner of the given turn at \p node of side \p s and fit a side before and after it; the corner's number is s + 1. */
   void split(std::size_t s, std::size_t node, double turn);
   /** The side from corner \p c to the next, cut off or extended at both ends. */
-  OutlineSide trimmed(std::size_t c) const;
+  EdgeSide trimmed(std::size_t c) const;
 
   std::size_t following(std::size_t c) const { return (c + 1) % corners.size(); }
   std::size_t preceding(std::size_t c) const { return (c + corners.size() - 1) % corners.size(); }
@@ -61,7 +61,7 @@ private:
   std::vector<ExpectedPoint> edgeFrom(std::size_t from) const;
   std::vector<ExpectedPoint> edgeBetween(std::size_t from, std::size_t to, double beyond) const;
   FittedSide firstFit(std::size_t c) const;
-  FittedSide fitBetween(std::size_t from, std::size_t to, OutlineSide start) const;
+  FittedSide fitBetween(std::size_t from, std::size_t to, EdgeSide start) const;
   std::size_t nearestPoint(const Eigen::Vector3d& p, std::size_t about, std::size_t window) const;
   void meetAt(std::size_t c);
 

@@ -16,7 +16,6 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::array<double, 5> wavelengths{40.0, 28.0, 20.0, 14.0, 10.0}; // spacings
-constexpr double freedom_cost = 6.0; // of one wave more in the length of a side, in units of EdgeFit::cost
 constexpr double final_blur = 0.08;
 
 /** Foot of \p p on the line through a and b, as a share of the way. */
@@ -31,7 +30,7 @@ shareOf(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3
 /** Points as the edge problem wants them, without those so deep inside that they settle nothing; their shares of the
  *  side's length are where they are expected, within \p reach nodes, and then are. */
 std::vector<SidePoint>
-placed(const OutlineSide& side, double spacing, double blur, std::ptrdiff_t reach, std::vector<ExpectedPoint>& points)
+placed(const EdgeSide& side, double spacing, double blur, std::ptrdiff_t reach, std::vector<ExpectedPoint>& points)
 {
   constexpr double beyond = 3.0; // nodes past an end
   const double deepest = -(2.0 + 2.0 * blur);
@@ -52,7 +51,7 @@ placed(const OutlineSide& side, double spacing, double blur, std::ptrdiff_t reac
 
 /** The wavelength that explains the points best, as a mean weighted by likelihood: no jumps as points move. */
 double
-likelyWavelength(const OutlineSide& side, const std::vector<SidePoint>& points, EdgeOptions options)
+likelyWavelength(const EdgeSide& side, const std::vector<SidePoint>& points, EdgeOptions options)
 {
   const double size = length(side.nodes, side.closed) / options.spacing;
   std::array<double, wavelengths.size()> cost{};
@@ -74,7 +73,7 @@ likelyWavelength(const OutlineSide& side, const std::vector<SidePoint>& points, 
 } // namespace
 
 SideFoot
-footOn(const OutlineSide& side, const Eigen::Vector3d& point, std::ptrdiff_t expected, std::ptrdiff_t reach)
+footOn(const EdgeSide& side, const Eigen::Vector3d& point, std::ptrdiff_t expected, std::ptrdiff_t reach)
 {
   const auto m = static_cast<std::ptrdiff_t>(side.nodes.size());
   const auto wrapped = [&](std::ptrdiff_t k) { return (k % m + m) % m; };
@@ -117,7 +116,7 @@ footOn(const OutlineSide& side, const Eigen::Vector3d& point, std::ptrdiff_t exp
 }
 
 void
-makeEven(OutlineSide& side, double spacing)
+makeEven(EdgeSide& side, double spacing)
 {
   const std::vector<double> at = arcLengths(side.nodes, side.closed);
   const double steps = std::round(at.back() / (node_step * spacing));
@@ -143,12 +142,12 @@ makeEven(OutlineSide& side, double spacing)
   }
 }
 
-OutlineSide
+EdgeSide
 smoothSide(const Polyline& line, bool closed, double spacing)
 {
   constexpr double wavelength = 8.0;
   constexpr std::array<double, 4> binomial{-1.0, 3.0, -3.0, 1.0};
-  OutlineSide side;
+  EdgeSide side;
   side.closed = closed;
   const double whole = length(line, closed);
   const double steps = std::max(closed ? 8.0 : 4.0, std::round(whole / (node_step * spacing)));
@@ -168,7 +167,7 @@ smoothSide(const Polyline& line, bool closed, double spacing)
 }
 
 void
-layOnSurface(const MlsSurface& surface, OutlineSide& side)
+layOnSurface(const MlsSurface& surface, EdgeSide& side)
 {
   const SurfaceGraph& graph = surface.graph();
   std::vector<SurfaceFoot> feet;
@@ -183,14 +182,14 @@ layOnSurface(const MlsSurface& surface, OutlineSide& side)
 }
 
 FittedSide
-fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points, double ring)
+fitSide(const MlsSurface& surface, double spacing, EdgeSide start, std::vector<ExpectedPoint> points, double ring)
 {
   constexpr double largest_move = 4.0, largest_growth = 3.0;
   constexpr std::ptrdiff_t first_reach = 40, reach = 12; // nodes
   constexpr std::array<double, 5> blurs{0.5, 0.25, 0.12, final_blur, final_blur};
   FittedSide fitted;
   fitted.side = std::move(start);
-  const OutlineSide first = fitted.side;
+  const EdgeSide first = fitted.side;
   const double longest = largest_growth * ring;
   EdgeOptions options;
   options.spacing = spacing;

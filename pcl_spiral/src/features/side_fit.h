@@ -14,10 +14,12 @@ namespace pcl_spiral {
 
 /** Distance between the nodes of a side, in spacings. */
 constexpr double node_step = 0.5;
+/** Of one wave more in the length of a side, in units of EdgeFit::cost. */
+constexpr double freedom_cost = 6.0;
 
 /** A side at the edge of its points. */
 struct FittedSide {
-  OutlineSide side;
+  EdgeSide side;
   double outside = 0.0, roughness = 0.0; ///< as in EdgeFit; outside is infinite where no smooth side fits
   double wavelength = 0.0;
 };
@@ -30,16 +32,16 @@ struct SideFoot {
 };
 
 /** Foot of \p point on \p side, searched among the nodes within \p reach of node \p expected. */
-SideFoot footOn(const OutlineSide& side, const Eigen::Vector3d& point, std::ptrdiff_t expected, std::ptrdiff_t reach);
+SideFoot footOn(const EdgeSide& side, const Eigen::Vector3d& point, std::ptrdiff_t expected, std::ptrdiff_t reach);
 
 /** Replace the nodes by evenly spaced ones, keeping the ends; then set the outward directions. */
-void makeEven(OutlineSide& side, double spacing);
+void makeEven(EdgeSide& side, double spacing);
 
 /** An evenly spaced line through a jagged one, without waves shorter than a few spacings. */
-OutlineSide smoothSide(const Polyline& line, bool closed, double spacing);
+EdgeSide smoothSide(const Polyline& line, bool closed, double spacing);
 
 /** Move the nodes onto the surface where it is known there, and take its normals. */
-void layOnSurface(const MlsSurface& surface, OutlineSide& side);
+void layOnSurface(const MlsSurface& surface, EdgeSide& side);
 
 /** A point of an edge, and where along the side it is expected, as a share of its length. */
 struct ExpectedPoint {
@@ -49,6 +51,6 @@ struct ExpectedPoint {
 
 /** Fit a side to the edge of \p points, starting from \p start, along \p ring (mm) of the points round the edge. A side that grows to a
  *  multiple of that is no fit: its \p outside is infinite. */
-FittedSide fitSide(const MlsSurface& surface, double spacing, OutlineSide start, std::vector<ExpectedPoint> points, double ring);
+FittedSide fitSide(const MlsSurface& surface, double spacing, EdgeSide start, std::vector<ExpectedPoint> points, double ring);
 
 } // namespace pcl_spiral

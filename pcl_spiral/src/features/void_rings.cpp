@@ -14,8 +14,10 @@ ringsWithVoids(const SurfaceGraph& graph, const std::vector<std::uint32_t>& part
   const ScanVoids voids(graph);
   for (const ScanVoid& found : voids.voids())
     if (found.width >= width)
-      for (const std::uint32_t t : found.triangles)
-        any = open[t] = 1;
+      for (const std::uint32_t t : found.triangles) {
+        open[t] = 1;
+        any = true;
+      }
   if (!any)
     return boundaryRings(all, part_of, 0);
   std::vector<Triangulation::Triangle> kept;

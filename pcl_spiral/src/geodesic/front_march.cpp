@@ -11,8 +11,8 @@ namespace {
 
 constexpr double bucket_width = 0.5; // in spacings
 constexpr std::size_t bucket_count = 256;
-constexpr double least_gain = 1e-6; // in spacings
-constexpr double flattest = 1e4;    // radius in spacings at which a front counts as straight
+constexpr double least_gain = 1e-6;    // in spacings
+constexpr double straight_front = 1e4; // radius in spacings at which a front counts as straight
 
 } // namespace
 
@@ -113,7 +113,7 @@ FrontMarch::commonCentre(std::uint32_t a, std::uint32_t v) const
     return centres_[a];
   const double mean = 0.5 * (distances_[a] + distances_[v]);
   const double curvature = 0.5 * (1.0 / (distances_[a] - centres_[a]) + 1.0 / (distances_[v] - centres_[v]));
-  const double most = flattest * graph_.spacing();
+  const double most = straight_front * graph_.spacing();
   return std::abs(curvature) * most > 1.0 ? mean - 1.0 / curvature : mean - most;
 }
 

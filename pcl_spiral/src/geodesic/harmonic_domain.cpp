@@ -11,7 +11,6 @@ namespace {
 
 using Edge = HarmonicDomain::Edge;
 using Loops = std::vector<std::vector<std::uint32_t>>;
-constexpr std::uint32_t none = Triangulation::none;
 constexpr double pocket_in_spacings = 12.0; // longest perimeter of a gap that lines cross straight
 
 std::vector<std::uint8_t>
@@ -75,7 +74,7 @@ simpleLoops(const Triangulation& mesh)
 bool
 cutToRim(const Triangulation& mesh, const std::vector<std::uint32_t>& starts, std::uint32_t start_triangle, HarmonicDomain& domain)
 {
-  constexpr std::uint32_t unseen = none, root = none - 1;
+  constexpr std::uint32_t unseen = Triangulation::none, root = Triangulation::none - 1;
   std::vector<std::uint32_t> from(mesh.triangleCount(), unseen), queue; // half-edge a triangle was entered through
   const auto enter = [&](std::uint32_t t, std::uint32_t through) {
     if (from[t] != unseen)
@@ -83,7 +82,7 @@ cutToRim(const Triangulation& mesh, const std::vector<std::uint32_t>& starts, st
     from[t] = through;
     queue.push_back(t);
   };
-  if (start_triangle != none)
+  if (start_triangle != Triangulation::none)
     enter(start_triangle, root);
   for (const std::uint32_t h : starts)
     enter(h / 3, h);
@@ -91,7 +90,7 @@ cutToRim(const Triangulation& mesh, const std::vector<std::uint32_t>& starts, st
   for (std::size_t at = 0; at < queue.size(); ++at) {
     const std::uint32_t t = queue[at];
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-      if (mesh.opposite(h) != none) {
+      if (mesh.opposite(h) != Triangulation::none) {
         enter(mesh.opposite(h) / 3, mesh.opposite(h));
         continue;
       }
@@ -104,7 +103,7 @@ cutToRim(const Triangulation& mesh, const std::vector<std::uint32_t>& starts, st
           return true;
         domain.cut[in] = -1;
         out = mesh.opposite(in);
-        if (out == none)
+        if (out == Triangulation::none)
           return true;
       }
     }
@@ -143,7 +142,7 @@ classify(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_poin
   for (std::uint32_t h = 0; h < mesh.halfEdgeCount(); ++h)
     if (part[h / 3] == own) {
       domain.kind[h] = Edge::Inside;
-      if (mesh.opposite(h) == none || h < mesh.opposite(h))
+      if (mesh.opposite(h) == Triangulation::none || h < mesh.opposite(h))
         domain.edges.push_back(h);
     }
   domain.rim = loops[rim];
@@ -180,7 +179,7 @@ makeDomain(const SurfaceGraph& graph, const Eigen::Vector3d& centre, const std::
     return status;
   domain.centre = centre;
   const std::uint32_t triangle = triangleAt(graph, centre);
-  if (triangle == none || domain.kind[3 * triangle] == Edge::Elsewhere)
+  if (triangle == Triangulation::none || domain.kind[3 * triangle] == Edge::Elsewhere)
     return {StatusCode::InvalidArgument, "the centre is not on the surface inside the rim: move it there, "
                                          "away from gaps"};
   return cutToRim(graph.triangulation(), {}, triangle, domain) ? makeCentreDisc(graph, triangle, domain) : apart;
@@ -197,7 +196,7 @@ makeDomain(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_po
   if (!status.ok())
     return status;
   domain.in_disc.assign(graph.size(), 0);
-  return cutToRim(graph.triangulation(), inner, none, domain) ? Status::success() : apart;
+  return cutToRim(graph.triangulation(), inner, Triangulation::none, domain) ? Status::success() : apart;
 }
 
 } // namespace pcl_spiral

@@ -14,7 +14,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::uint32_t none = Triangulation::none;
 using Edge = HarmonicDomain::Edge;
 
 /** Points of the domain get numbers of their own; the others are known, and their values are never used. */

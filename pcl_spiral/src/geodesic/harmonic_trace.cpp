@@ -12,7 +12,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::uint32_t none = Triangulation::none;
 constexpr double farthest_in_spacings = 4.0; // of a rim point from the cloud
 constexpr double step_in_spacings = 2.0;     // of a line's points
 constexpr double smoothed_in_spacings = 5.0; // shorter waves come from the triangles
@@ -74,7 +73,7 @@ HarmonicField::passTriangle(LevelEdge& at) const
   if (!third_is_above)
     at.above += growth(from_third);
   at.half_edge = out;
-  if (mesh.opposite(out) != none) {
+  if (mesh.opposite(out) != Triangulation::none) {
     at.half_edge = mesh.opposite(out);
     return true;
   }

@@ -11,7 +11,6 @@ namespace pcl_spiral {
 namespace {
 
 using Triangle = Triangulation::Triangle;
-constexpr std::uint32_t none = Triangulation::none;
 
 /** A number of triangles with those added later. */
 std::size_t
@@ -32,8 +31,8 @@ cornerOf(std::uint32_t v, std::uint32_t a, std::uint32_t b)
 std::vector<std::uint32_t>
 agreedHalfEdges(const StarSet& stars, std::size_t& triangle_count)
 {
-  std::vector<std::uint32_t> half_edge(stars.spokes.size(), none);   // at first the number of the triangle in its piece
-  std::vector<std::uint32_t> first(pieceCount(stars.size()) + 1, 0); // of each piece
+  std::vector<std::uint32_t> half_edge(stars.spokes.size(), Triangulation::none); // at first the number of the triangle in its piece
+  std::vector<std::uint32_t> first(pieceCount(stars.size()) + 1, 0);              // of each piece
   forPoints(stars.size(), [&](std::uint32_t v) {
     std::uint32_t& own = first[v / piece_size + 1];
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
@@ -41,7 +40,7 @@ agreedHalfEdges(const StarSet& stars, std::size_t& triangle_count)
       if (!stars.hasTriangle(slot) || a < v || b < v)
         continue;
       const std::uint32_t at_a = stars.slotOf(a, b, v), at_b = stars.slotOf(b, v, a);
-      if (at_a != none && at_b != none)
+      if (at_a != Triangulation::none && at_b != Triangulation::none)
         half_edge[slot] = half_edge[at_a] = half_edge[at_b] = own++;
     }
   });
@@ -49,7 +48,7 @@ agreedHalfEdges(const StarSet& stars, std::size_t& triangle_count)
     first[p] += first[p - 1];
   forPoints(stars.size(), [&](std::uint32_t v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
-      if (half_edge[slot] == none)
+      if (half_edge[slot] == Triangulation::none)
         continue;
       const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
       half_edge[slot] = 3 * (half_edge[slot] + first[std::min({v, a, b}) / piece_size]) + cornerOf(v, a, b);
@@ -68,7 +67,7 @@ agreedTriangles(const StarSet& stars, const std::vector<std::uint32_t>& half_edg
   triangles.resize(count);
   forPoints(stars.size(), [&](std::uint32_t v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot)
-      if (const std::uint32_t own = half_edge[slot]; own != none && own % 3 == 0)
+      if (const std::uint32_t own = half_edge[slot]; own != Triangulation::none && own % 3 == 0)
         triangles[own / 3] = {v, stars.neighbourAt(slot), stars.neighbourAt(stars.slotAfter(v, slot))};
   });
   return triangles;
@@ -80,11 +79,11 @@ agreedOpposites(const StarSet& stars, const std::vector<std::uint32_t>& half_edg
 {
   std::vector<std::uint32_t> opposite;
   opposite.reserve(3 * withRoom(count));
-  opposite.resize(3 * count, none);
+  opposite.resize(3 * count, Triangulation::none);
   forPoints(stars.size(), [&](std::uint32_t v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
       const std::uint32_t own = half_edge[slot], before = half_edge[stars.slotBefore(v, slot)];
-      if (own != none && before != none) // of (v, z, a), where the own one is v - a
+      if (own != Triangulation::none && before != Triangulation::none) // of (v, z, a), where the own one is v - a
         opposite[own] = Triangulation::previous(before);
     }
   });
@@ -99,7 +98,7 @@ compact(const StarSet& stars, std::vector<std::uint32_t>& half_edge, std::vector
   begin.assign(stars.size() + 1, 0);
   for (std::size_t v = 0; v < stars.size(); ++v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot)
-      if (half_edge[slot] != none)
+      if (half_edge[slot] != Triangulation::none)
         half_edge[kept++] = half_edge[slot];
     begin[v + 1] = kept;
   }
@@ -121,10 +120,10 @@ disputedTriangles(const std::vector<Eigen::Vector3f>& points, const StarSet& sta
   std::vector<std::vector<Candidate>> found(pieceCount(stars.size()));
   forPoints(stars.size(), [&](std::uint32_t v) {
     for (std::uint32_t slot = stars.begin[v]; slot < stars.begin[v + 1]; ++slot) {
-      if (!stars.hasTriangle(slot) || half_edge[slot] != none)
+      if (!stars.hasTriangle(slot) || half_edge[slot] != Triangulation::none)
         continue;
       const std::uint32_t a = stars.neighbourAt(slot), b = stars.neighbourAt(stars.slotAfter(v, slot));
-      const bool in_a = stars.slotOf(a, b, v) != none, in_b = stars.slotOf(b, v, a) != none;
+      const bool in_a = stars.slotOf(a, b, v) != Triangulation::none, in_b = stars.slotOf(b, v, a) != Triangulation::none;
       if (!(in_a && a < v) && !(in_b && b < v))
         found[v / piece_size].push_back({{v, a, b}, 1 + in_a + in_b, squared(v, a) + squared(a, b) + squared(b, v)});
     }

@@ -14,7 +14,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::uint32_t none = Triangulation::none;
 constexpr float long_edge = 1.8f;       // spacings
 constexpr int few = 12;                 // neighbours, all on one side of a step that is three spacings high
 constexpr float steep = 0.5f;           // sine of the angle between an edge and the surface at both ends
@@ -44,8 +43,8 @@ public:
     if (std::count(stands_alone_.begin(), stands_alone_.end(), 1) < 2)
       return {};
     for (std::uint32_t& surface : of_point_)
-      if (surface != none && !stands_alone_[surface])
-        surface = none;
+      if (surface != Triangulation::none && !stands_alone_[surface])
+        surface = Triangulation::none;
     widenSurfaces(false); // over what does not stand alone
     widenSurfaces(true);  // what only steps lead to, such as single points on the side
     return betweenSurfaces();
@@ -135,10 +134,10 @@ private:
   /** The surfaces without the triangles at steps, where a single one that is no step could join two: sizes_, and of_point_. */
   void findSurfaces()
   {
-    of_point_.assign(cloud_.blocks.size(), none);
-    std::vector<std::uint32_t> surface(mesh_.triangleCount(), none), stack;
+    of_point_.assign(cloud_.blocks.size(), Triangulation::none);
+    std::vector<std::uint32_t> surface(mesh_.triangleCount(), Triangulation::none), stack;
     for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
-      if (surface[t] != none || isAtStep(t))
+      if (surface[t] != Triangulation::none || isAtStep(t))
         continue;
       const auto number = static_cast<std::uint32_t>(sizes_.size());
       sizes_.push_back(0);
@@ -150,7 +149,8 @@ private:
         ++sizes_[number];
         for (std::uint32_t h = 3 * from; h < 3 * from + 3; ++h) {
           of_point_[mesh_.origin(h)] = number;
-          if (const std::uint32_t other = mesh_.opposite(h); other != none && surface[other / 3] == none && !isAtStep(other / 3)) {
+          if (const std::uint32_t other = mesh_.opposite(h);
+              other != Triangulation::none && surface[other / 3] == Triangulation::none && !isAtStep(other / 3)) {
             surface[other / 3] = number;
             stack.push_back(other / 3);
           }
@@ -175,7 +175,7 @@ private:
     const auto reachAbout = [&](std::uint32_t v, std::uint32_t seed) {
       anyAbout(v, [&](std::uint32_t h) {
         const std::uint32_t other = mesh_.origin(h) == v ? mesh_.target(h) : mesh_.origin(h);
-        if (of_point_[other] == none && (over_steps || rise(h) == 0.0f)) {
+        if (of_point_[other] == Triangulation::none && (over_steps || rise(h) == 0.0f)) {
           const Eigen::Vector3f away = cloud_.blocks.point(other) - cloud_.blocks.point(seed);
           reached.push({std::abs(away.dot(normals_[seed])), other, seed});
         }
@@ -183,12 +183,12 @@ private:
       });
     };
     for (std::uint32_t v = 0; v < of_point_.size(); ++v)
-      if (of_point_[v] != none)
+      if (of_point_[v] != Triangulation::none)
         reachAbout(v, v);
     while (!reached.empty()) {
       const Reached next = reached.top();
       reached.pop();
-      if (of_point_[next.point] != none)
+      if (of_point_[next.point] != Triangulation::none)
         continue;
       of_point_[next.point] = of_point_[next.seed];
       reachAbout(next.point, next.seed);
@@ -201,7 +201,7 @@ private:
     std::vector<std::size_t> up(sizes_.size(), 0), down(sizes_.size(), 0); // steps that lead to a surface from below, from above
     for (std::uint32_t h = 0; h < mesh_.halfEdgeCount(); ++h) {
       const std::uint32_t from = of_point_[mesh_.origin(h)], to = of_point_[mesh_.target(h)];
-      const float height = from != to && from != none && to != none ? rise(h) : 0.0f;
+      const float height = from != to && from != Triangulation::none && to != Triangulation::none ? rise(h) : 0.0f;
       if (height == 0.0f)
         continue;
       ++(height > 0.0f ? up : down)[to];

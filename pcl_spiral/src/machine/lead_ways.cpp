@@ -7,11 +7,7 @@
 #include <cmath>
 
 namespace pcl_spiral {
-namespace {
-
-constexpr double quarter_turn = 0.5 * pi;
-
-} // namespace
+namespace {} // namespace
 
 /** From the far end of the lead to the path; \p inward is the direction of travel onto
  *  the path. */

@@ -12,7 +12,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double rounding = 1e-6;
+constexpr double limit_rounding = 1e-6;
 
 /** Blocks in which one axis is beyond a limit. */
 struct Breach {
@@ -65,7 +65,7 @@ checkLimits(const Kinematics& kinematics, const std::vector<ProgramBlock>& block
     for (std::size_t axis = 0; axis < 5; ++axis) {
       const AxisRange& range = rangeOf(axis);
       const double excess = std::max(range.lower - values[axis], values[axis] - range.upper);
-      if (!(excess > rounding))
+      if (!(excess > limit_rounding))
         continue;
       Breach& breach = breaches[axis];
       if (breach.count++ == 0) {

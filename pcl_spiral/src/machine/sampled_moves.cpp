@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int most_halvings = 16;
+constexpr int most_move_halvings = 16;
 constexpr double most_turn = 0.1; // radians
 
 class Sampler {
@@ -26,7 +26,7 @@ public:
   void sample(double a, const ToolPose& at_a, double b, const ToolPose& at_b, int halvings, ToolPoses& poses) const
   {
     const double middle = 0.5 * (a + b);
-    if (halvings < most_halvings && ((b - a) * turn_ > most_turn || !isStraight(a, at_a, b, at_b))) {
+    if (halvings < most_move_halvings && ((b - a) * turn_ > most_turn || !isStraight(a, at_a, b, at_b))) {
       const ToolPose at_middle = at(middle);
       sample(a, at_a, middle, at_middle, halvings + 1, poses);
       sample(middle, at_middle, b, at_b, halvings + 1, poses);

@@ -12,7 +12,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double most_turn = 0.5 * full_turn;
+constexpr double most_link_turn = 0.5 * full_turn;
 
 /** The machine where \p block ends; off the surface the contact is the tip. */
 MachineLocation
@@ -47,7 +47,7 @@ passLink(const Kinematics& kinematics, Branch branch, const ProgramSettings& set
   if (lead_out == blocks.rend() || lead_in == entry.begin() || lead_in == entry.end())
     return {};
   const ProgramBlock &from = *lead_out, &to = *(lead_in - 1);
-  if ((to.tip - from.tip).norm() > settings.stay_down || largestTurn(from, to) > most_turn)
+  if ((to.tip - from.tip).norm() > settings.stay_down || largestTurn(from, to) > most_link_turn)
     return {};
   PassLink link;
   link.from = from;

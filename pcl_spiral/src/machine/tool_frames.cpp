@@ -14,12 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-double
-angleBetween(const Vector3d& a, const Vector3d& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 /** The moves that are on the path: from the one whose end is its first pose to the last cut. */
 std::pair<std::size_t, std::size_t>
 pathOf(const ToolMoves& moves)

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tool_leads.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
-namespace {
-
-constexpr double quarter_turn = 1.57079632679489661923;
-
-} // namespace
 
 ProgramBlock
 blockTo(const Kinematics& kinematics, const Eigen::Vector3d& tip, const MachineLocation& at, BlockSection section, bool rapid)

@@ -8,12 +8,12 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double turn_rounding = 1e-9;
 
 bool
 isWithin(double angle, const AxisRange& range)
 {
-  return angle >= range.lower - rounding && angle <= range.upper + rounding;
+  return angle >= range.lower - turn_rounding && angle <= range.upper + turn_rounding;
 }
 
 /** The last location that can be reached from \p first with \p shift. */

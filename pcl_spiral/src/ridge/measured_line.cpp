@@ -17,7 +17,7 @@ constexpr double largest_gap = 5.0;        // spacings, and the longest side bra
 constexpr double largest_join = 2.0;       // spacings between the ends of a closed line
 constexpr std::size_t least_ring = 12;     // points
 constexpr std::size_t most_points = 20000; // of one line: they take some seconds
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t no_point = 0xffffffffu;
 
 /** The tree of least total length over points, from the first (Prim 1957). */
 class LeastTree {
@@ -26,13 +26,13 @@ public:
   {
     const std::size_t n = points.size();
     std::vector<double> distance(n, std::numeric_limits<double>::infinity());
-    std::vector<std::uint32_t> parent(n, none);
+    std::vector<std::uint32_t> parent(n, no_point);
     std::vector<std::uint8_t> taken(n, 0);
     std::uint32_t next = 0;
     for (std::size_t count = 0; count < n; ++count) {
       const std::uint32_t last = next;
       taken[last] = 1;
-      if (parent[last] != none)
+      if (parent[last] != no_point)
         join(last, parent[last]);
       double least = std::numeric_limits<double>::infinity();
       for (std::uint32_t i = 0; i < n; ++i) {
@@ -61,7 +61,7 @@ public:
   /** The point farthest from \p start along the tree; \p before and \p ways: for all points, the way there and its length. */
   std::uint32_t farthest(std::uint32_t start, std::vector<std::uint32_t>& before, std::vector<double>& ways) const
   {
-    before.assign(points_.size(), none);
+    before.assign(points_.size(), no_point);
     ways.assign(points_.size(), 0.0);
     std::vector<std::uint32_t> open{start};
     std::uint32_t best = start;
@@ -134,7 +134,7 @@ lineOf(const LeastTree& tree, const Polyline& points, const std::string& name, M
   const std::uint32_t start = tree.farthest(0, before, ways);
   const std::uint32_t end = tree.farthest(start, before, ways);
   std::vector<std::uint8_t> on_line(points.size(), 0);
-  for (std::uint32_t i = end; i != none; i = before[i])
+  for (std::uint32_t i = end; i != no_point; i = before[i])
     on_line[i] = 1;
   // Sort key: place on the line where a branch begins; length along the branch; the point itself, so the given order does not matter.
   std::vector<std::tuple<double, double, double, double, double, std::uint32_t>> stations;

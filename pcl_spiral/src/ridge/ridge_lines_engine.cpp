@@ -33,7 +33,7 @@ public:
     if (const Status status = findCrest(surface_, settings_, crest_); !status.ok())
       return status;
     report_.crest = crest_.places;
-    RidgeBand band;
+    SectionBand band;
     SmoothLine generator;
     if (const Status status = firstLines(band, generator); !status.ok())
       return status;
@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  Status firstLines(RidgeBand& band, SmoothLine& generator);
+  Status firstLines(SectionBand& band, SmoothLine& generator);
   Status finish(SectionRounds& rounds);
   Status makeRidge(const SectionRounds& rounds);
   void warnOfReach();
@@ -58,7 +58,7 @@ private:
 
 /** The crest, and the section in the middle. */
 Status
-ScanSearch::firstLines(RidgeBand& band, SmoothLine& generator)
+ScanSearch::firstLines(SectionBand& band, SmoothLine& generator)
 {
   band.rail = crest_.line;
   const double u = meeting_share * crest_.line.length();

@@ -35,7 +35,7 @@ turnedBy(double angle, const Vector3d& local)
 
 } // namespace
 
-SectionRounds::SectionRounds(const RoundSettings& settings, RidgeBand band, const SmoothLine& generator)
+SectionRounds::SectionRounds(const RoundSettings& settings, SectionBand band, const SmoothLine& generator)
 : settings_(settings), band_(std::move(band)), generator_(generator)
 {
   const double spacing = settings_.spacing, width = settings_.half_width;

@@ -28,7 +28,7 @@ constexpr double meeting_share = 0.45;
 class SectionRounds {
 public:
   /** \p band: points, rail and chord to start from; \p generator in local coordinates. */
-  SectionRounds(const RoundSettings& settings, RidgeBand band, const SmoothLine& generator);
+  SectionRounds(const RoundSettings& settings, SectionBand band, const SmoothLine& generator);
 
   /** Rounds until nothing moves. InvalidInput with the place: rail too steep for the chord, sections without points, no convergence. */
   Status run(const ProgressCallback& progress);
@@ -41,7 +41,7 @@ public:
   std::size_t sections() const { return count_; }
   /** The generator as it lies on each section at the rail, and its cells. */
   const Profile& profile() const { return profile_; }
-  const RidgeBand& band() const { return band_; }
+  const SectionBand& band() const { return band_; }
   std::vector<SectionShift> lying();
   double stationOf(std::size_t section) const { return static_cast<double>(section) * length_; }
 
@@ -59,7 +59,7 @@ private:
   std::pair<std::size_t, std::size_t> coveredCells(const std::vector<SectionShift>& shifts) const;
 
   RoundSettings settings_;
-  RidgeBand band_;
+  SectionBand band_;
   StationLine rail_stations_;
   SectionPoints section_points_;
   SmoothLine generator_;

@@ -22,7 +22,8 @@ struct Residual {
 };
 
 std::vector<Residual>
-residualsOf(RidgeBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, const Vector3d& shift, double gate)
+residualsOf(SectionBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, const Vector3d& shift,
+            double gate)
 {
   std::vector<Residual> residuals;
   for (std::uint32_t n = sections.begin[section]; n < sections.begin[section + 1]; ++n) {
@@ -123,7 +124,7 @@ sumCells(const std::vector<Residual>& residuals, double cut, std::size_t cells, 
 } // namespace
 
 SectionShift
-shiftOnto(RidgeBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, double noise, double gate,
+shiftOnto(SectionBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, double noise, double gate,
           int most_steps)
 {
   constexpr double still = 1e-3; // of the noise

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "ridge_band.h"
+#include "section_band.h"
 
 namespace pcl_spiral {
 
@@ -28,7 +28,7 @@ struct SectionShift {
 /** Shift \p profile onto the points of a section by least squares along its normals (Gauss-Newton; Tukey's weights against points that
  *  do not belong to the section). Points farther than \p gate belong to another surface. \p noise: of the scan. With 0 steps
  *  the generator does not move. */
-SectionShift shiftOnto(RidgeBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, double noise,
+SectionShift shiftOnto(SectionBand& band, const SectionPoints& sections, std::size_t section, const Profile& profile, double noise,
                        double gate, int most_steps = 10);
 
 } // namespace pcl_spiral

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/impl/ball_reach.h>
 
+#include "common/stoppable_loop.h"
 #include "empty_spheres.h"
 #include "graph/covering_radius.h"
 #include "missed_points.h"
@@ -21,7 +22,6 @@ constexpr double widest_void = 6.0;     // spacings: twice the largest circle wi
 constexpr int widest_search = 4;        // of the fit in a void, as for the path there
 constexpr int most_shrinks = 40;        // of the ball at one foot; a few are usual
 constexpr double settled = 1e-4;        // of the radius: the ball shrinks no more
-constexpr std::size_t chunk = 1u << 16; // points fitted together
 
 /** Area about each point: a third of its triangles; without triangles the square of its spacing. */
 std::vector<float>
@@ -186,9 +186,9 @@ BallReach::fitPatches(const std::vector<SurfacePatch>& beyond, std::vector<float
   std::vector<Patch> fitted(size);
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < size; begin += chunk) {
+  for (std::size_t begin = 0; begin < size; begin += report_chunk) {
     queries.clear();
-    for (std::size_t i = begin; i < std::min(size, begin + chunk); ++i)
+    for (std::size_t i = begin; i < std::min(size, begin + report_chunk); ++i)
       queries.push_back(graph_.position(i));
     fit_.project(queries, feet);
     for (std::size_t k = 0; k < feet.size(); ++k) {

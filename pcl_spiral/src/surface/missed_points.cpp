@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "missed_points.h"
+#include "common/stoppable_loop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,6 @@ constexpr int least_neighbours = 3;
 /** Between normals of neighbours, 30 degrees: where the surface turns more from point to point, its radius is below two spacings, and
  *  neither normals nor arcs are known. */
 constexpr float least_cosine = 0.866f;
-constexpr std::size_t chunk = 1u << 16; // points fitted together
 
 double
 leastMissed(const SurfaceGraph& graph, std::vector<float> sample)
@@ -38,9 +38,9 @@ heightsOf(const SurfaceGraph& graph, const MlsSurface& fit, const std::vector<st
   std::vector<float> heights;
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < points.size(); begin += chunk) {
+  for (std::size_t begin = 0; begin < points.size(); begin += report_chunk) {
     queries.clear();
-    for (std::size_t k = begin; k < std::min(points.size(), begin + chunk); ++k)
+    for (std::size_t k = begin; k < std::min(points.size(), begin + report_chunk); ++k)
       queries.push_back(graph.position(points[k]));
     fit.project(queries, feet);
     for (std::size_t k = 0; k < feet.size(); ++k)

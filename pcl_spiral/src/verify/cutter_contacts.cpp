@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int rounds = 3; // each brings the place nearer by the misfit of a quadric
+constexpr int contact_rounds = 3; // each brings the place nearer by the misfit of a quadric
 
 /** The scan point that is deepest in the cutter, or nearest to it. */
 Eigen::Vector3d
@@ -53,12 +53,12 @@ cutterContacts(const ReferenceSurface& reference, const std::vector<CutterPlace>
 #pragma omp parallel for schedule(dynamic, 256)
   for (std::int64_t i = 0; i < size; ++i)
     queries[i] = deepestPoint(points, profile, cutter.corner_radius, places[i]);
-  for (int round = 0; round <= rounds; ++round) {
+  for (int round = 0; round <= contact_rounds; ++round) {
     reference.surface().project(queries, feet);
 #pragma omp parallel for schedule(static)
     for (std::int64_t i = 0; i < size; ++i)
       if (feet[i].valid) { // else the contact of the round before stays
-        const SurfaceHeight lowest = lowestOver(profile, places[i].tip, places[i].axis, feet[i], round < rounds ? reach : 0.0);
+        const SurfaceHeight lowest = lowestOver(profile, places[i].tip, places[i].axis, feet[i], round < contact_rounds ? reach : 0.0);
         contacts[i] = {lowest.place + lowest.height * feet[i].normal, feet[i].normal, lowest.height, true};
         queries[i] = lowest.place;
       }

@@ -2,6 +2,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/impl/deviation_estimation_engine.h>
 
+#include "common/stoppable_loop.h"
 #include "quantile.h"
 #include "reference_figures.h"
 
@@ -15,8 +16,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t chunk = 1u << 16; // path points between progress reports
-constexpr double rounding = 1e-4;       // cosine: along a wall the tool axis is square to the normals of fits, known to about that
+constexpr double rounding = 1e-4; // cosine: along a wall the tool axis is square to the normals of fits, known to about that
 
 /** Sums and extremes over the points, taken in their order. */
 class Tally {
@@ -156,8 +156,8 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
   deviation.reserve(path.size());
   Tally tally(reference, path, figures);
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < path.size(); begin += chunk) {
-    const std::size_t end = std::min(path.size(), begin + chunk);
+  for (std::size_t begin = 0; begin < path.size(); begin += report_chunk) {
+    const std::size_t end = std::min(path.size(), begin + report_chunk);
     reference.surface().project(
         {path.contacts.begin() + static_cast<std::ptrdiff_t>(begin), path.contacts.begin() + static_cast<std::ptrdiff_t>(end)}, feet);
     for (std::size_t i = begin; i < end; ++i)

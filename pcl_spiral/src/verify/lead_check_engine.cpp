@@ -13,10 +13,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int most_halvings = 16;
-constexpr double most_turn = 0.5;         // radians of a rotary axis: after more it may be back where it was
-constexpr double least_holder_step = 0.1; // mm between two tests of a holder
-constexpr std::size_t chunk = 256;        // moves between two reports of progress
+constexpr int most_lead_halvings = 16;
+constexpr double most_turn = 0.5;          // radians of a rotary axis: after more it may be back where it was
+constexpr double least_holder_step = 0.1;  // mm between two tests of a holder
+constexpr std::size_t moves_at_once = 256; // moves between two reports of progress
 
 /** The machine where a block ends. */
 MachineLocation
@@ -66,7 +66,7 @@ private:
                    int halvings, LeadCollision& deepest) const
   {
     const double turn = std::max(std::abs(to.angles.first - from.angles.first), std::abs(to.angles.second - from.angles.second));
-    if (halvings < most_halvings && ((b - a) * turn > most_turn || !isNear(at_a, at_b))) {
+    if (halvings < most_lead_halvings && ((b - a) * turn > most_turn || !isNear(at_a, at_b))) {
       const double middle = 0.5 * (a + b);
       const ToolPose at_middle = interpolated(kinematics_, from, to, middle);
       lookBetween(from, to, a, at_a, middle, at_middle, halvings + 1, deepest);
@@ -145,10 +145,10 @@ findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const
       moves.push_back(i);
   const LeadSearch search(points, cutter, holder, program, tolerance);
   std::vector<LeadCollision> found(moves.size());
-  for (std::size_t begin = 0; begin < moves.size(); begin += chunk) {
+  for (std::size_t begin = 0; begin < moves.size(); begin += moves_at_once) {
     if (progress && !progress(static_cast<double>(begin) / static_cast<double>(moves.size()), "leads"))
       return {StatusCode::Cancelled, "cancelled"};
-    const auto end = static_cast<std::int64_t>(std::min(begin + chunk, moves.size()));
+    const auto end = static_cast<std::int64_t>(std::min(begin + moves_at_once, moves.size()));
 #pragma omp parallel for schedule(dynamic, 4)
     for (std::int64_t i = static_cast<std::int64_t>(begin); i < end; ++i)
       found[i] = search.deepestOn(moves[i]);

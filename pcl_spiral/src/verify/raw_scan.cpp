@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double sigma_of_median = 1.4826; // of normally distributed values
-constexpr double fit_share = 1e-3;         // of the spacing: fits to points without noise are off by 2e-6 to 1.3e-4 on five parts
+constexpr double plain_fit_share = 1e-3;   // of the spacing: fits to points without noise are off by 2e-6 to 1.3e-4 on five parts
 
 /** For each of \p points, in the order of their blocks, the mean of the \p offsets of its nearest ones. */
 std::vector<double>
@@ -41,7 +41,7 @@ meansOf(const PointBlocks& points, const std::vector<double>& offsets)
 }
 
 void
-raise(PlacedValue& largest, double value, const Vector3d& place, std::size_t index)
+raiseTo(PlacedValue& largest, double value, const Vector3d& place, std::size_t index)
 {
   if (value > largest.value)
     largest = {value, place, index};
@@ -76,13 +76,13 @@ compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw)
     amounts.push_back(static_cast<float>(std::abs(offsets.back())));
     places.push_back(queries[i].cast<float>());
     kept.push_back(i);
-    raise(f.largest, amounts.back(), queries[i], index[i]);
+    raiseTo(f.largest, amounts.back(), queries[i], index[i]);
   }
   f.points = places.size();
   if (f.points == 0)
     return f;
   f.p99 = quantile(amounts, 0.99);
-  f.fit_error = fit_share * smoothed.spacing() + 4.0 * smoothed.fit().fitNoise();
+  f.fit_error = plain_fit_share * smoothed.spacing() + 4.0 * smoothed.fit().fitNoise();
   const PointBlocks blocks(std::move(places));
   const std::vector<double> means = meansOf(blocks, offsets);
   for (std::size_t i = 0; i < blocks.size(); ++i)
@@ -92,7 +92,7 @@ compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw)
     const std::size_t at = kept[blocks.originalIndex(i)];
     const Vector3d place = feet[at].position + means[i] * feet[at].normal;
     f.means.push_back(place.cast<float>());
-    raise(f.mean, std::abs(means[i]), place, index[at]);
+    raiseTo(f.mean, std::abs(means[i]), place, index[at]);
   }
   return f;
 }

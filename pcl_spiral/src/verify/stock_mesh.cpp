@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verify/stock_mesh.h"
+#include "common/stoppable_loop.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
-namespace {
-
-constexpr std::size_t chunk = 1u << 16; // points fitted together
-
-} // namespace
+namespace {} // namespace
 
 StockMesh
 stockMesh(const ReferenceSurface& reference, const std::vector<float>& stock)
@@ -19,8 +16,8 @@ stockMesh(const ReferenceSurface& reference, const std::vector<float>& stock)
   std::vector<std::uint32_t> number(graph.size(), Triangulation::none); // of the points that are kept
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < graph.size(); begin += chunk) {
-    const std::size_t end = std::min(graph.size(), begin + chunk);
+  for (std::size_t begin = 0; begin < graph.size(); begin += report_chunk) {
+    const std::size_t end = std::min(graph.size(), begin + report_chunk);
     queries.clear();
     for (std::size_t i = begin; i < end; ++i)
       queries.push_back(graph.position(i));

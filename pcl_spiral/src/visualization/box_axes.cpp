@@ -16,7 +16,6 @@ constexpr double flat_room = 85.0;     ///< pixels along a flat edge for one num
 constexpr double steep_room = 55.0;
 constexpr double text_gap = 5.0, name_gap = 12.0;
 constexpr double outline_tolerance = 3.0; ///< pixels that an edge may be inside the outline
-constexpr int number_size = 18, name_size = 20;
 
 /** An edge of the box, and the axis along it. */
 struct Candidate {

@@ -11,6 +11,8 @@
 
 namespace pcl_spiral {
 
+constexpr int number_size = 18, name_size = 20; ///< of the text at the axes, pixels
+
 /** A parallel view: the directions of the picture in the scene, unit and perpendicular, and its scale. */
 struct ParallelView {
   Eigen::Vector3d right, top;

@@ -8,14 +8,14 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double inset_pitches = 16.0; ///< across an enlarged view
+constexpr double view_pitches = 16.0; ///< across an enlarged view
 
 } // namespace
 
 void
 addEndViews(Canvas& canvas, const pcl::PointCloud<ToolpathPoint>& path, double pitch, const std::string& turn, vtkScalarsToColors* colors)
 {
-  const double across = inset_pitches * pitch, pixel = across / Canvas::inset_size;
+  const double across = view_pitches * pitch, pixel = across / Canvas::inset_size;
   const double reach = across + longestMove(path);
   for (const int slot : {0, 1}) {
     const ToolpathPoint& end = slot == 0 ? path.front() : path.back();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int least_size = 12;         ///< of a font that is read at ease
 constexpr double least_share = 0.6;    ///< of the size asked for: titles stay titles
-constexpr double margin = 12.0;        ///< pixels
+constexpr double text_margin = 12.0;   ///< pixels
 constexpr std::size_t least_words = 8; ///< bytes kept
 
 bool
@@ -52,7 +52,7 @@ fitText(vtkTextActor* actor, vtkRenderer* view, double room)
 double
 roomRightOf(double x, vtkRenderer* view)
 {
-  return view->GetSize()[0] - margin - x;
+  return view->GetSize()[0] - text_margin - x;
 }
 
 } // namespace pcl_spiral

@@ -12,14 +12,14 @@ namespace {
 using Boxes = std::vector<std::array<Eigen::Vector2d, 2>>;
 
 constexpr double left = 130.0, bottom = 110.0, right_margin = 50.0,
-                 top_margin = 200.0;          ///< of the chart, pixels
+                 chart_top_margin = 200.0;    ///< of the chart, pixels
 constexpr double number_room = 1010.0 / 12.0; ///< pixels along the axis for one number
 constexpr double tick = axis_tick_length;
-constexpr int number_size = 18, name_size = 20, bins_to_limit = 40;
+constexpr int bins_to_limit = 40;
 constexpr int words_below = 230; ///< top of the text column, pixels
 constexpr double least_decades = 1.0,
                  below_one = 0.3; ///< of the logarithmic scale: a bar for a single ridge also has a height
-constexpr Color within_color{0.128, 0.567, 0.551}, above_color{1.00, 0.55, 0.00}, asked_color{0.10, 0.22, 0.66},
+constexpr Color within_color{0.128, 0.567, 0.551}, above_limit_color{1.00, 0.55, 0.00}, asked_color{0.10, 0.22, 0.66},
     limit_color{0.84, 0.04, 0.07};
 
 /** Number of values in each bin; values outside count in the first and the last. */
@@ -60,8 +60,8 @@ struct Scale {
   double low, high, decades;
 
   Scale(const PageSize& page, const Bins& bins)
-  : right(page.wordsLeft() - right_margin), top(page.height - top_margin), low(bins.first * bins.width), high((bins.last + 1) * bins.width),
-    decades(std::max(least_decades, std::log10(static_cast<double>(bins.most)) + 0.1))
+  : right(page.wordsLeft() - right_margin), top(page.height - chart_top_margin), low(bins.first * bins.width),
+    high((bins.last + 1) * bins.width), decades(std::max(least_decades, std::log10(static_cast<double>(bins.most)) + 0.1))
   {}
   double x(double height) const { return left + (right - left) * (height - low) / (high - low); }
   double y(double count) const { return bottom + (top - bottom) * (std::log10(count) + below_one) / (decades + below_one); }
@@ -79,7 +79,7 @@ addBars(vtkRenderer* view, const Bins& bins, const Scale& scale)
                       Eigen::Vector2d(scale.x((k + 1) * bins.width) - 1.0, scale.y(static_cast<double>(bins.counts[i])))});
   }
   addBoxes(view, within, within_color);
-  addBoxes(view, above, above_color);
+  addBoxes(view, above, above_limit_color);
 }
 
 void
@@ -123,7 +123,7 @@ addWords(vtkRenderer* view, const PageSize& page, const Bins& bins, const StockF
 {
   addLegend(view, page,
             {{formatted("up to the limit, %.3g mm", limit), within_color},
-             {formatted("above it: %.2g %%", 100.0 * figures.share_above), above_color}});
+             {formatted("above it: %.2g %%", 100.0 * figures.share_above), above_limit_color}});
   int y = page.column_top - words_below;
   const auto add = [&](const std::string& words) {
     addText(view, words, page.wordsLeft(), y, name_size);

@@ -18,7 +18,6 @@ using Boxes = std::vector<std::array<Eigen::Vector2d, 2>>;
 constexpr double left = 150.0, right = Sheet::width - 60.0; ///< of the charts, pixels
 constexpr double lowest = 110.0, chart_height = 250.0, chart_step = 330.0;
 constexpr double number_room = 90.0, tick = axis_tick_length, line = 2.5;
-constexpr int number_size = 18, name_size = 20;
 constexpr double no_change = 1e-7; // of the axis, radians: at the pole an upright tool keeps it
 constexpr Color line_color{0.10, 0.22, 0.66}, pole_color{1.00, 0.80, 0.45}, unwind_color{0.84, 0.04, 0.07};
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace pcl_spiral {
 namespace {
@@ -63,10 +62,11 @@ public:
     in_link_ = link;
     if (move.rapid)
       out_.line("RAPID");
-    else if (before_)
-      writeFeed((move.pose.tip - *before_).norm(), move.minutes);
+    else if (moved_)
+      writeFeed((move.pose.tip - before_).norm(), move.minutes);
     writeGoto(out_, move.pose.tip, move.pose.axis);
     before_ = move.pose.tip;
+    moved_ = true;
   }
 
 private:
@@ -81,9 +81,9 @@ private:
   }
 
   PostText& out_;
-  std::optional<Eigen::Vector3d> before_;
+  Eigen::Vector3d before_ = Eigen::Vector3d::Zero();
   double last_ = 0.0;
-  bool in_link_ = false;
+  bool moved_ = false, in_link_ = false;
 };
 
 } // namespace

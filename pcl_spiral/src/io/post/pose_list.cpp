@@ -12,7 +12,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr int decimals = 6; // of mm and degrees
+constexpr int pose_decimals = 6; // of mm and degrees
 
 void
 requireRows(const std::string& file, const std::vector<ToolPoses>& passes)
@@ -86,7 +86,7 @@ void
 writePoseVectors(const std::string& file, const std::vector<ToolPoses>& passes)
 {
   requireRows(file, passes);
-  PostText out(file, decimals);
+  PostText out(file, pose_decimals);
   for (const ToolPoses& row : passes) {
     if (&row != &passes.front())
       out.endLine();
@@ -104,7 +104,7 @@ writePoseAngles(const std::string& file, const std::vector<ToolPoses>& passes)
 {
   requireRows(file, passes);
   const std::vector<std::vector<RotaryAngles>> angles = anglesOf(file, passes);
-  PostText out(file, decimals);
+  PostText out(file, pose_decimals);
   for (std::size_t row = 0; row < passes.size(); ++row) {
     if (row > 0)
       out.endLine();

@@ -27,6 +27,8 @@ public:
   void write();
 
 protected:
+  static constexpr double axis_tolerance = 10.0; ///< degrees for each mm of the smoothing tolerance: 0.05 for 0.005
+
   /** Name, comments, units and plane. */
   virtual void writeOpening() = 0;
   virtual void writeComment(const std::string& text) { out_.text("(" + commentText(text) + ")\n"); }

@@ -9,8 +9,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double axis_tolerance = 10.0; ///< degrees for each mm of the smoothing tolerance: 0.05 for 0.005
-
 /** Program name from the file name: letters, digits, _ and -. */
 std::string
 programName(const std::string& title)

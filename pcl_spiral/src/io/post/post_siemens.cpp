@@ -4,8 +4,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double axis_tolerance = 10.0; ///< degrees for each mm of the smoothing tolerance: 0.05 for 0.005
-
 class SiemensPost : public Post {
 public:
   using Post::Post;

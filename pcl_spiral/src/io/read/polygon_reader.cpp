@@ -26,7 +26,7 @@ numbersOf(const std::string& file, std::string_view line, std::size_t at)
     if (!number && numbers.empty() && sameWord(unquoted(word), "x"))
       return {};
     if (!number || !std::isfinite(*number))
-      throw FileError(file, atLine(at, quoted(word) + " is not a number; write one corner per line as x y or x y z"));
+      throw FileError(file, atLine(at, inQuotes(word) + " is not a number; write one corner per line as x y or x y z"));
     numbers.push_back(*number);
   }
   if (numbers.size() < 2 || numbers.size() > 3)

@@ -99,8 +99,9 @@ ProgramLines::takeWord(std::size_t begin)
   }
   const bool number_only = words_.empty() && isDigit(text_[begin]); // the number of a line of Klartext
   if (!number_only && !isLetter(text_[begin]))
-    fail(quoted(text_.substr(begin)) + " is not understood: the program is read without variables, expressions, labels and skipped blocks; "
-                                       "write every move with numbers");
+    fail(inQuotes(text_.substr(begin)) +
+         " is not understood: the program is read without variables, expressions, labels and skipped blocks; "
+         "write every move with numbers");
   std::size_t at = number_only ? begin : endOf(text_, begin, isLetter);
   ProgramWord word;
   word.name = text_.substr(begin, at - begin);
@@ -117,7 +118,7 @@ ProgramLines::takeWord(std::size_t begin)
     const std::string_view digits = text_.substr(value, end - value);
     word.value = toNumber(digits[0] == '+' ? digits.substr(1) : digits);
     if (!word.value)
-      fail(quoted(text_.substr(begin, end - begin)) + " has no number that can be read; write it as X-12.5");
+      fail(inQuotes(text_.substr(begin, end - begin)) + " has no number that can be read; write it as X-12.5");
   }
   word.text = text_.substr(begin, (word.value ? end : at) - begin);
   words_.push_back(std::move(word));

@@ -61,25 +61,25 @@ private:
     else if (sameWord(word, "fini") || sameWord(word, "end"))
       ended_ = true;
     else if (std::none_of(std::begin(silent), std::end(silent), [&](const char* name) { return sameWord(word, name); }))
-      fail(quoted(word) +
+      fail(inQuotes(word) +
            " is not understood: GOTO, RAPID, FEDRAT and UNITS are followed; write every move as GOTO with tip and axis, and leave "
            "the word out if it does not move the tool");
   }
 
-  double refuseUnit(std::string_view line) const { fail(quoted(line) + " is not a unit; write UNITS/MM or UNITS/INCHES"); }
+  double refuseUnit(std::string_view line) const { fail(inQuotes(line) + " is not a unit; write UNITS/MM or UNITS/INCHES"); }
 
   double number(std::size_t i) const
   {
     const std::optional<double> value = toNumber(values_[i]);
     if (!value)
-      fail(quoted(values_[i]) + " is not a number; write it as 12.5");
+      fail(inQuotes(values_[i]) + " is not a number; write it as 12.5");
     return *value;
   }
 
   void takeFeed()
   {
     if (values_.size() > 1 && !sameWord(values_[1], "mmpm") && !sameWord(values_[1], "ipm"))
-      fail(quoted(values_[1]) + " is not a unit of the feed that is understood; write FEDRAT/1000.0,MMPM");
+      fail(inQuotes(values_[1]) + " is not a unit of the feed that is understood; write FEDRAT/1000.0,MMPM");
     feed_ = number(0) * (values_.size() > 1 && sameWord(values_[1], "ipm") ? 25.4 : 1.0);
   }
 

@@ -69,7 +69,7 @@ private:
   {
     const std::optional<std::size_t> value = toCount(word);
     if (!value)
-      fail(quoted(word) + " is not a count");
+      fail(inQuotes(word) + " is not a count");
     return *value;
   }
 
@@ -82,7 +82,7 @@ private:
     if (key == "VIEWPOINT")
       return takeViewPoint();
     if (words_.size() < 2)
-      fail(quoted(key) + " has no value in the header");
+      fail(inQuotes(key) + " has no value in the header");
     if (key == "FIELDS" || key == "COLUMNS") {
       header_.names.assign(words_.begin() + 1, words_.end());
       header_.fields.resize(header_.names.size());
@@ -98,7 +98,7 @@ private:
     else if (key == "DATA")
       header_.data = words_[1];
     else
-      fail(quoted(key) + " is not a line of a PCD header; is this a PCD file?");
+      fail(inQuotes(key) + " is not a line of a PCD header; is this a PCD file?");
   }
 
   /** Place of the scanner and a quaternion. The points are in the frame of the file, so only the place is used. */
@@ -199,7 +199,7 @@ readAscii(const std::string& file, std::string_view bytes, const PcdHeader& head
       const std::string_view word = words[header.fields[wanted[c]].position];
       const std::optional<double> value = toNumber(word);
       if (!value)
-        throw FileError(file, atLine(number, quoted(word) + " is not a number"));
+        throw FileError(file, atLine(number, inQuotes(word) + " is not a number"));
       table[c].push_back(*value);
     }
   }
@@ -292,7 +292,7 @@ readPcdTable(const std::string& file, std::string_view bytes, const Names& wante
   if (header.data == "binary_compressed")
     return readBinary(decompressed(file, bytes, header), header, fields, true);
   if (header.data != "binary")
-    throw FileError(file, atLine(header.lines, "DATA " + quoted(header.data) + " must be ascii, binary or binary_compressed"));
+    throw FileError(file, atLine(header.lines, "DATA " + inQuotes(header.data) + " must be ascii, binary or binary_compressed"));
   if ((bytes.size() - std::min(header.begin, bytes.size())) / header.bytes_a_point < header.points)
     failCutOff(file, bytes.size(), static_cast<double>(header.begin) + header.size());
   return readBinary(bytes.substr(header.begin), header, fields, false);

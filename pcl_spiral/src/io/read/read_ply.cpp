@@ -56,7 +56,7 @@ public:
     }
     if (std::string_view word; header_.ascii && rows == AsciiRows::Words && scanner_.next(word))
       throw FileError(file_,
-                      atLine(scanner_.number(), quoted(word) + " comes after the last value that the header names; export it again"));
+                      atLine(scanner_.number(), inQuotes(word) + " comes after the last value that the header names; export it again"));
     if (!found || table_[0].empty())
       throw FileError(file_, "holds no vertices; export it again");
     return std::move(table_);
@@ -165,7 +165,7 @@ private:
   {
     const std::optional<double> value = toNumber(word);
     if (!value)
-      throw FileError(file_, atLine(line, quoted(word) + " is not a number"));
+      throw FileError(file_, atLine(line, inQuotes(word) + " is not a number"));
     return *value;
   }
 

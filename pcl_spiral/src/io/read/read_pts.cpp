@@ -18,7 +18,7 @@ takePoint(const std::string& file, const std::vector<std::string_view>& words, s
   for (std::size_t c = 0; c < 3; ++c) {
     const std::optional<double> value = toNumber(unquoted(words[c]));
     if (!value)
-      throw FileError(file, atLine(number, quoted(words[c]) + " is not a number"));
+      throw FileError(file, atLine(number, inQuotes(words[c]) + " is not a number"));
     table[c].push_back(*value);
   }
 }
@@ -55,10 +55,10 @@ readPtsTable(const std::string& file, std::string_view bytes, const TextLayout& 
     if (count)
       left = *count;
     else if (table[0].empty() && isTitle(words))
-      titles.push_back(atLine(lines.number(), quoted(line)));
+      titles.push_back(atLine(lines.number(), inQuotes(line)));
     else
-      throw FileError(file, atLine(lines.number(), quoted(line) + " must be the number of points that follow; if the file has no such "
-                                                                  "line, rename it to .xyz, or correct the number before it"));
+      throw FileError(file, atLine(lines.number(), inQuotes(line) + " must be the number of points that follow; if the file has no such "
+                                                                    "line, rename it to .xyz, or correct the number before it"));
   }
   if (left > 0)
     throw FileError(file, "ends " + std::to_string(left) +

@@ -132,7 +132,7 @@ cornerOf(const std::string& file, const std::vector<std::string_view>& words, st
   for (std::size_t c = 0; c < 3; ++c) {
     const std::optional<double> value = toNumber(words[c + 1]);
     if (!value)
-      throw FileError(file, atLine(number, quoted(words[c + 1]) + " is not a number"));
+      throw FileError(file, atLine(number, inQuotes(words[c + 1]) + " is not a number"));
     corner[c] = static_cast<float>(*value);
   }
   return corner;

@@ -158,7 +158,7 @@ private:
     if (names_.empty())
       names_ = wanted_;
     if (header && !named_by_user && find(names_, wanted_[0]) == names_.size())
-      throw FileError(file_, atLine(number, quoted(words_[0]) + " is neither a number nor a heading with " + joined(wanted_) +
+      throw FileError(file_, atLine(number, inQuotes(words_[0]) + " is neither a number nor a heading with " + joined(wanted_) +
                                                 "; name the columns (ReadOptions::columns)" + or_skip));
     if (normals_ == NormalColumns::Read)
       wanted_ = withNormals(names_, wanted_);
@@ -182,7 +182,7 @@ private:
       if (!value) {
         const bool comma = word.find_first_of(", \t") != std::string_view::npos || word.substr(0, 1) == "\""; // "1,5" is cut at its comma
         throw FileError(file_,
-                        atLine(number, quoted(word) + " is not a number" + (comma ? "; write decimals with a point, not a comma" : "") +
+                        atLine(number, inQuotes(word) + " is not a number" + (comma ? "; write decimals with a point, not a comma" : "") +
                                            (table_.back().empty() ? orSkip(number) : "")));
       }
       table_[c].push_back(*value);

@@ -164,7 +164,7 @@ private:
   {
     const std::optional<std::size_t> count = toCount(value(attributes, name));
     if (!count)
-      fail("has " + std::string(name) + " " + quoted(value(attributes, name)) + ", which is not a count");
+      fail("has " + std::string(name) + " " + inQuotes(value(attributes, name)) + ", which is not a count");
     return *count;
   }
 

@@ -110,7 +110,7 @@ leadOf(std::string_view bytes, std::size_t skipped, const Names& wanted)
       lead.count_line = line.number;
     }
     else
-      lead.titles.push_back(atLine(line.number, quoted(line.text)));
+      lead.titles.push_back(atLine(line.number, inQuotes(line.text)));
   }
   return lead;
 }

@@ -145,7 +145,7 @@ wholeNumber(double value)
 }
 
 std::string
-quoted(std::string_view word)
+inQuotes(std::string_view word)
 {
   constexpr std::size_t longest = 40;
   std::string text = "'";

@@ -79,6 +79,6 @@ std::string atLine(std::size_t number, const std::string& what);
 std::string wholeNumber(double value);
 
 /** A word for a message: in quotes, cut after 40 characters, without control characters. */
-std::string quoted(std::string_view word);
+std::string inQuotes(std::string_view word);
 
 } // namespace pcl_spiral

@@ -199,7 +199,7 @@ addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
 
 /** Empty if it is not known. */
 std::string
-megabytes(std::size_t bytes)
+megabytesText(std::size_t bytes)
 {
   return bytes > 0 ? formatted("%.0f MB", 1e-6 * static_cast<double>(bytes)) : "";
 }
@@ -211,7 +211,8 @@ addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verific
   HtmlRows rows{{"stage", "time", "memory at its end", "peak memory so far"}};
   double total = verification ? verification->seconds : 0.0;
   for (const StageCost& stage : report.stages) {
-    rows.push_back({stage.name, formatted("%.2f s", stage.seconds), megabytes(stage.memory.resident), megabytes(stage.memory.peak)});
+    rows.push_back(
+        {stage.name, formatted("%.2f s", stage.seconds), megabytesText(stage.memory.resident), megabytesText(stage.memory.peak)});
     total += stage.seconds;
   }
   if (verification)

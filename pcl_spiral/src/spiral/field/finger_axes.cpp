@@ -9,9 +9,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double tip_gap = 0.42;                 // a finger ends this far before the place it must reach
-constexpr double trim = finger_radius + tip_gap; // cut off an axis at its lower end
-constexpr double covered_by_axis = trim + 0.02;
+constexpr double tip_gap = 0.42;                        // a finger ends this far before the place it must reach
+constexpr double finger_trim = finger_radius + tip_gap; // cut off an axis at its lower end
+constexpr double covered_by_axis = finger_trim + 0.02;
 constexpr double neck_step = 0.2;       // distance between the starts of axes in necks
 constexpr double worth_an_axis = 0.525; // nearer places are reached by moving the path (coverPath)
 constexpr double same_ridge = 1.6;      // two axes that start this near may be one axis over a saddle
@@ -85,7 +85,7 @@ private:
         continue;
       if (loop == NearestSegment::none)
         loop = gap_.loop_near(next);
-      if (covered > trim + 0.05 && isWide(next))
+      if (covered > finger_trim + 0.05 && isWide(next))
         break;
     }
     const FingerAxis whole = axisOver(field_.mesh, way, 6);
@@ -101,7 +101,7 @@ private:
         axes_[end.axis] = std::move(over);
         return whole;
       }
-    const FingerAxis axis = partOf(whole, std::min(trim, length - 1e-9), length);
+    const FingerAxis axis = partOf(whole, std::min(finger_trim, length - 1e-9), length);
     ends_.push_back({loop, start, whole, axes_.size()});
     axes_.push_back(axis);
     return axis;

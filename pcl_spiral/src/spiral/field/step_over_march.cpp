@@ -62,7 +62,7 @@ const std::array<double, 256> worth_again = [] {
   return worth;
 }();
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double not_reached = std::numeric_limits<double>::infinity();
 constexpr MarchedDistances::Side nowhere{Triangulation::none, Triangulation::none};
 
 /** Carries known distances to the nodes with infinite ones. */
@@ -200,7 +200,7 @@ private:
 void
 MarchedDistances::resize(std::size_t nodes)
 {
-  distance.resize(nodes, infinite);
+  distance.resize(nodes, not_reached);
   over.resize(nodes, nowhere);
 }
 
@@ -246,7 +246,7 @@ forgetBehind(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen, 
   const auto forget = [&](std::uint32_t v) {
     if (marched.over[v] == nowhere)
       return;
-    marched.distance[v] = infinite;
+    marched.distance[v] = not_reached;
     marched.over[v] = nowhere;
     todo.push_back(v);
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/step_over_mesh.h>
 
+#include "common/stoppable_loop.h"
 #include "rim_zipper.h"
 #include "spiral/outlines/handle_loop.h"
 #include "spiral/outlines/narrow_strip.h"
@@ -19,11 +20,10 @@ namespace {
 
 using Triangle = Triangulation::Triangle;
 
-constexpr std::size_t chunk = 1u << 16; // points whose feet are computed together
-constexpr double outline_step = 0.8;    // spacings between nodes on an outline
-constexpr double matched_reach = 12.0;  // spacings within which points of an edge are searched
-constexpr double matched_edge = 2.5;    // spacings: median distance of an edge from its outline
-constexpr double least_zipped = 0.7;    // share of an outline that its edge must follow
+constexpr double outline_step = 0.8;   // spacings between nodes on an outline
+constexpr double matched_reach = 12.0; // spacings within which points of an edge are searched
+constexpr double matched_edge = 2.5;   // spacings: median distance of an edge from its outline
+constexpr double least_zipped = 0.7;   // share of an outline that its edge must follow
 
 /** Makes the mesh. */
 class MeshMaker {
@@ -94,8 +94,8 @@ MeshMaker::placeNodes()
   const double kept = (1.0 - options_.reserve) * (1.0 - options_.reserve);
   std::vector<Eigen::Vector3d> points;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < n; begin += chunk) {
-    const auto count = static_cast<std::int64_t>(std::min(chunk, n - begin));
+  for (std::size_t begin = 0; begin < n; begin += report_chunk) {
+    const auto count = static_cast<std::int64_t>(std::min(report_chunk, n - begin));
     points.resize(static_cast<std::size_t>(count));
     for (std::int64_t k = 0; k < count; ++k)
       points[k] = surface_.position(begin + k);

@@ -6,7 +6,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t fewest_points = 20000; // of a coarse graph, so that it is finer than the stations of the lines
+constexpr std::size_t fewest_coarse_points = 20000; // of a coarse graph, so that it is finer than the stations of the lines
 
 /** The graph of the point nearest to the middle of each block, with the normals of \p graph; null if none is made. */
 std::shared_ptr<const SurfaceGraph>
@@ -14,7 +14,7 @@ coarseGraph(const SurfaceGraph& graph)
 {
   const PointBlocks& blocks = graph.blocks();
   const std::size_t count = blocks.blockCount();
-  if (count < fewest_points)
+  if (count < fewest_coarse_points)
     return nullptr;
   std::vector<Eigen::Vector3f> points(count);
   SurfaceGraphOptions options;

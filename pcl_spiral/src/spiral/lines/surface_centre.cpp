@@ -16,7 +16,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t rim_samples = 96;
-constexpr int most_rounds = 12;
+constexpr int most_moves = 12;
 constexpr double farthest_drift = 3.0; // spacings: largest distance of the centre from the source of the field that starts lines
 constexpr double lasting_drift = 0.5;  // the same if some lines come from the field itself, because no geodesic leads there
 constexpr double settled = 5e-3;       // spacings: a smaller move ends the search, for the next would be a hundred times smaller
@@ -268,7 +268,7 @@ balancedCentre(const MlsSurface& surface, const Polyline& rim)
   double share = 1.0, last_step = std::numeric_limits<double>::max(); // of the step, less if rounds go back and forth
   double drift = std::numeric_limits<double>::max();                  // of the centre since the field was computed
   bool at_rest = false;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_moves; ++round) {
     if (!followCentre(surface, foot.position, sample, start, fan, drift))
       return std::nullopt;
     const Eigen::Vector2d goal = evenCentre(logMap(fan, foot, spacing));

@@ -9,7 +9,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int ramp_moves = 24;
-constexpr double beside_reach = 2.0; // step-overs of a loop on either side of its strip
+constexpr double strip_reach = 2.0; // step-overs of a loop on either side of its strip
 constexpr int beside_moves = 20;
 
 Polyline
@@ -54,7 +54,7 @@ chainCrossings(const CutLoops& loops, const std::vector<RampStrip>& chain)
     count += crossings(before, ramp);
     for (const RampStrip* s : {&chain[i], &chain[i + 1]}) {
       const ScallopLoop& loop = loops.loop(s->loop);
-      const double reach = std::min(beside_reach, 0.5 * (loop.length() - s->length));
+      const double reach = std::min(strip_reach, 0.5 * (loop.length() - s->length));
       count += crossings(ramp, partLine(loop, s->u - s->length - reach, reach)) + crossings(ramp, partLine(loop, s->u, reach));
     }
   }

@@ -14,8 +14,8 @@ namespace {
 constexpr double farthest_dot = 1.7; // distance of its middle from the loop that reaches out
 constexpr double finger_gap = 0.56;  // cut out of that loop
 constexpr double finger_cap = 0.25;
-constexpr double crossing_reach = 3.0, crossing_grain = 0.1; // part of the loop on either side that a finger must not cross
-constexpr double along_reach = 1.0;                          // to either side of the nearest place, to find a better one
+constexpr double finger_reach = 3.0, finger_grain = 0.1; // part of the loop on either side that a finger must not cross
+constexpr double along_reach = 1.0;                      // to either side of the nearest place, to find a better one
 
 /** Mean of the places along \p loop. */
 Eigen::Vector3d
@@ -71,11 +71,11 @@ private:
   /** Whether a finger from \p u to \p centre crosses its loop, as at a sharp bend. */
   static bool crosses(const ScallopLoop& loop, double u, const Eigen::Vector3d& centre)
   {
-    const double reach = std::min(crossing_reach, 0.5 * loop.length());
+    const double reach = std::min(finger_reach, 0.5 * loop.length());
     const Eigen::Vector3d from = loop.at(u - 0.5 * finger_gap), to = loop.at(u + 0.5 * finger_gap), way = centre - loop.at(u);
-    for (double x = 0.5 * finger_gap; x < reach; x += crossing_grain)
+    for (double x = 0.5 * finger_gap; x < reach; x += finger_grain)
       for (const double side : {-1.0, 1.0}) {
-        const Eigen::Vector3d a = loop.at(u + side * x), b = loop.at(u + side * (x + crossing_grain));
+        const Eigen::Vector3d a = loop.at(u + side * x), b = loop.at(u + side * (x + finger_grain));
         if (movesCross(from, from + way, a, b) || movesCross(to, to + way, a, b))
           return true;
       }

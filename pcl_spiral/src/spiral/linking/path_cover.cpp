@@ -19,12 +19,12 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double aim = 0.49;        // distance to which an uncovered place is brought
-constexpr double moved_reach = 2.2; // the path this near to it may move
-constexpr double looked_at = 1.0;   // the nearest segment of a test point is one of those within this
-constexpr double bell = 0.8;        // half the length of path that one place moves
-constexpr double grain = 0.05;      // of the path where it moves
-constexpr auto bell_points = static_cast<std::size_t>(bell / grain);
+constexpr double aim = 0.49;         // distance to which an uncovered place is brought
+constexpr double moved_reach = 2.2;  // the path this near to it may move
+constexpr double looked_at = 1.0;    // the nearest segment of a test point is one of those within this
+constexpr double bell = 0.8;         // half the length of path that one place moves
+constexpr double cover_grain = 0.05; // of the path where it moves
+constexpr auto bell_points = static_cast<std::size_t>(bell / cover_grain);
 constexpr double damping = 0.7;
 constexpr int most_rounds = 24;
 
@@ -122,7 +122,7 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
   std::vector<std::size_t> watched, dense;
   if (!testsToWatch(tests_, places, *line, near, partOf(progress, 0.4, 1.0), watched))
     return false;
-  densify(near, held, grain, path_, near_, moves_, dense);
+  densify(near, held, cover_grain, path_, near_, moves_, dense);
   shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
   moved_.assign(path_.points.size() + 1, 0.0);
   taken_.assign(path_.points.size(), 0);

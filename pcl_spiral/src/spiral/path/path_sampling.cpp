@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/loop_linking.h>
 
+#include "common/stoppable_loop.h"
 #include "given_path.h"
 #include "path_feet.h"
 
@@ -17,11 +18,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double step_reserve = 0.95;   // feet spread apart a little
-constexpr double least_step = 1e-6;     // of the longest: where the ball hardly fits, its centre does not move and any step is allowed
-constexpr double straight_share = 0.2;  // of the chord error
-constexpr double shared_foot = 0.25;    // spacings: a fit takes its points from several
-constexpr std::size_t chunk = 1u << 16; // points whose feet are computed together
+constexpr double step_reserve = 0.95;  // feet spread apart a little
+constexpr double least_step = 1e-6;    // of the longest: where the ball hardly fits, its centre does not move and any step is allowed
+constexpr double straight_share = 0.2; // of the chord error
+constexpr double shared_foot = 0.25;   // spacings: a fit takes its points from several
 
 /** The points of \p path whose feet are computed: the first of each pass, and on from it those \p apart mm along the path. */
 std::vector<std::size_t>
@@ -60,8 +60,8 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
   };
   Polyline queries;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < looked.size(); begin += chunk) {
-    const std::size_t end = std::min(looked.size(), begin + chunk);
+  for (std::size_t begin = 0; begin < looked.size(); begin += report_chunk) {
+    const std::size_t end = std::min(looked.size(), begin + report_chunk);
     queries.clear();
     for (std::size_t k = begin; k < end; ++k)
       queries.push_back(path.points[looked[k]]);

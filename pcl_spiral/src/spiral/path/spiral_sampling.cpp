@@ -11,7 +11,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double step_reserve = 0.98; // projection stretches steps a little
+constexpr double spiral_step_reserve = 0.98; // projection stretches steps a little
 
 struct HermiteSegment {
   Eigen::Vector3d a, b, ta, tb; ///< ends, and derivatives over chord length
@@ -25,7 +25,7 @@ struct HermiteSegment {
 };
 
 /** A run of knots between corners. */
-struct Stretch {
+struct StepStretch {
   std::size_t begin, end;
   double needed; ///< number of steps
 };
@@ -57,12 +57,12 @@ angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 
 /** Knots from one corner or anchor to the next. */
 template <typename Knot>
-std::vector<Stretch>
+std::vector<StepStretch>
 stretchesOf(const std::vector<Knot>& knots, const std::vector<double>& steps)
 {
-  std::vector<Stretch> stretches;
+  std::vector<StepStretch> stretches;
   for (std::size_t begin = 0; begin < steps.size();) {
-    Stretch stretch{begin, begin + 1, steps[begin]};
+    StepStretch stretch{begin, begin + 1, steps[begin]};
     while (stretch.end < steps.size() && !knots[stretch.end].corner && !knots[stretch.end].anchor)
       stretch.needed += steps[stretch.end++];
     stretches.push_back(stretch);
@@ -75,12 +75,12 @@ stretchesOf(const std::vector<Knot>& knots, const std::vector<double>& steps)
  *  coarse steps, so similar stretches of neighbouring turns take the same. */
 template <typename Knot>
 std::vector<double>
-stepCounts(const std::vector<Knot>& knots, const std::vector<Stretch>& stretches)
+stepCounts(const std::vector<Knot>& knots, const std::vector<StepStretch>& stretches)
 {
   std::map<std::pair<int, int>, double> counts;
   std::vector<std::pair<int, int>> alike; // group of turns, place in the turn
   double last_turn = -1.0;
-  for (const Stretch& stretch : stretches) {
+  for (const StepStretch& stretch : stretches) {
     const int group = turnGroup(knots[stretch.begin].turn);
     const bool same_turn = !alike.empty() && std::floor(knots[stretch.begin].turn) == last_turn;
     alike.emplace_back(group, same_turn ? alike.back().second + 1 : 0);
@@ -143,7 +143,7 @@ SpiralCurve::stepsNeeded(const std::vector<Knot>& knots, const std::vector<Eigen
     const double length = chord * (1.0 + turned * turned / 24.0);
     const double bend = turned > 0.0 ? 2.0 * std::sqrt(2.0 * settings_.chord_error * length / turned) : max_step_;
     const double step = std::min({knots[k].step, knots[k + 1].step, bend, max_step_});
-    steps[k] = length / (step_reserve * step);
+    steps[k] = length / (spiral_step_reserve * step);
   }
   return steps;
 }
@@ -154,7 +154,7 @@ SpiralCurve::sample() const
   const std::vector<Knot> knots = this->knots();
   const std::vector<Eigen::Vector3d> leaving = tangents(knots, true), arriving = tangents(knots, false);
   const std::vector<double> steps = stepsNeeded(knots, leaving, arriving);
-  const std::vector<Stretch> stretches = stretchesOf(knots, steps);
+  const std::vector<StepStretch> stretches = stretchesOf(knots, steps);
   const std::vector<double> counts = stepCounts(knots, stretches);
   // Points of a stretch, by their place in it: the last one lies at least half a step before the end.
   const auto forEachPoint = [&](std::size_t i, auto visit) {

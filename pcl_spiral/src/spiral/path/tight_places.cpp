@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/tight_places.h>
 
+#include "common/stoppable_loop.h"
 #include "path_feet.h"
 #include "place_groups.h"
 
@@ -12,8 +13,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double margin = 0.9;          // of the tightest radius: between the points that were looked at, a place may be tighter
-constexpr std::size_t chunk = 1u << 16; // points
+constexpr double margin = 0.9; // of the tightest radius: between the points that were looked at, a place may be tighter
 
 /** Radius of the ball that a remedy names: a little below \p tightest, two digits. */
 double
@@ -29,9 +29,9 @@ tightestOf(const Surface& surface, double radius)
 {
   Polyline points;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < surface.size(); begin += chunk) {
+  for (std::size_t begin = 0; begin < surface.size(); begin += report_chunk) {
     points.clear();
-    for (std::size_t i = begin; i < std::min(surface.size(), begin + chunk); ++i)
+    for (std::size_t i = begin; i < std::min(surface.size(), begin + report_chunk); ++i)
       points.push_back(surface.position(i));
     pathFeet(surface, points, feet);
     for (const SurfaceFoot& foot : feet)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "published_path.h"
+#include "common/stoppable_loop.h"
 
 #include "published_step.h"
 
@@ -14,11 +15,7 @@
 #include <cmath>
 
 namespace pcl_spiral {
-namespace {
-
-constexpr std::size_t chunk = 1u << 16; // path points between progress reports
-
-} // namespace
+namespace {} // namespace
 
 Status
 publishedCurve(const SurfaceGraph& graph, const SpiralSettings& settings, PublishedResult& result, std::vector<SpiralPoint>& curve)
@@ -64,8 +61,8 @@ publishedContacts(const MlsSurface& surface, const SpiralSettings& settings, con
   std::size_t too_hollow = 0, first_hollow = 0;
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < curve.size(); begin += chunk) {
-    const std::size_t end = std::min(curve.size(), begin + chunk);
+  for (std::size_t begin = 0; begin < curve.size(); begin += report_chunk) {
+    const std::size_t end = std::min(curve.size(), begin + report_chunk);
     queries.clear();
     for (std::size_t i = begin; i < end; ++i)
       queries.push_back(curve[i].position);

@@ -10,8 +10,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double reach = 12.0; ///< pixels
-constexpr int most_tries = 20; ///< of each side: points behind the part are among those in front of it
+constexpr double pick_reach = 12.0; ///< pixels
+constexpr int most_tries = 20;      ///< of each side: points behind the part are among those in front of it
 
 } // namespace
 
@@ -23,7 +23,7 @@ pickPoint(const PartView& view, const pcl::PointCloud<ToolpathPoint>& path, cons
   std::array<std::vector<std::pair<double, std::size_t>>, 2> found; // points that face the viewer, and the others
   for (std::size_t i = 0; i < path.size(); ++i) {
     const double off = (view.onScreen(placeOf(path[i])) - pixel).norm();
-    if (off <= reach && shown(path[i]))
+    if (off <= pick_reach && shown(path[i]))
       found[normalOf(path[i]).dot(towards) > 0.0 ? 0 : 1].emplace_back(off, i);
   }
   for (auto& side : found) {

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Compiles the sources of a target in batches: most of the time goes into the headers of Eigen and PCL, which each source reads anew.
+# A batch holds up to twenty files of one folder, so names in anonymous namespaces must differ within a folder. With
+# -DPCL_SPIRAL_UNITY_BUILD=OFF each file is compiled alone, as after a change of one.
+option(PCL_SPIRAL_UNITY_BUILD "Compile several sources at a time, which takes less than half the time" ON)
+
+function(pcl_spiral_batches target)
+  if(NOT PCL_SPIRAL_UNITY_BUILD)
+    return()
+  endif()
+  set(most 20)
+  get_target_property(sources ${target} SOURCES)
+  set(folders)
+  foreach(source IN LISTS sources)
+    get_filename_component(source ${source} ABSOLUTE)
+    get_filename_component(folder ${source} DIRECTORY)
+    string(MAKE_C_IDENTIFIER ${folder} key)
+    list(APPEND folders ${key})
+    list(APPEND in_${key} ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(key IN LISTS folders)
+    list(SORT in_${key})
+    list(LENGTH in_${key} count)
+    math(EXPR batches "(${count} + ${most} - 1) / ${most}")
+    set(at 0)
+    foreach(source IN LISTS in_${key})
+      math(EXPR batch "${at} * ${batches} / ${count}")
+      get_filename_component(folder ${source} DIRECTORY)
+      get_filename_component(folder ${folder} NAME)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${batch})
+      math(EXPR at "${at} + 1")
+    endforeach()
+  endforeach()
+  target_compile_options(${target} PRIVATE -Wno-subobject-linkage) # a class of a test, seen from the batch, is in a header
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
