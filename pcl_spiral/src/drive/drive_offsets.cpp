@@ -7,7 +7,6 @@
 #include "geodesic/distance_field.h"
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
-#include <pcl_spiral/spiral/impl/path_size.h>
 
 #include <algorithm>
 #include <cmath>

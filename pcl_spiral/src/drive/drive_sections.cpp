@@ -9,7 +9,6 @@
 #include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/drive/impl/drive_cylinder.h>
-#include <pcl_spiral/spiral/impl/path_size.h>
 
 #include <Eigen/Geometry>
 

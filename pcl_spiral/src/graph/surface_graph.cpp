@@ -218,4 +218,13 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
   return Status::success();
 }
 
+double
+surfaceArea(const SurfaceGraph& graph)
+{
+  double area = 0.0;
+  for (std::size_t i = 0; i < graph.size(); ++i)
+    area += graph.spacing(i) * graph.spacing(i);
+  return area;
+}
+
 } // namespace pcl_spiral

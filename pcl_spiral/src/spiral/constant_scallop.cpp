@@ -170,6 +170,21 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
 }
 
 Status
+linkOnField(const StepOverDistance* field, std::vector<ScallopLoop> loops, const SpiralSettings& settings, const ProgressCallback& progress,
+            StageClock& clock, LinkedPath& path, ScallopFigures& figures)
+{
+  ScallopLoopSet set;
+  set.loops = std::move(loops);
+  if (set.loops.empty() && !makeScallopLoops(*field, partOf(progress, 0.0, 0.4), set))
+    return {StatusCode::Cancelled, "cancelled"};
+  figures.fingers = set.axes.size();
+  figures.lines = forPictures(set.loops);
+  figures.axes = set.axes;
+  clock.end("scallop loops");
+  return makeScallopPath(std::move(set.loops), field, settings, partOf(progress, 0.4, 1.0), clock, path, figures);
+}
+
+Status
 planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
                     const ProgressCallback& progress, const std::function<void()>& field_made, StageClock& clock, SpiralTurns& turns,
                     ScallopFigures& figures)
@@ -179,20 +194,12 @@ planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loo
   StepOverDistance field;
   if (const Status status = makeStepOverField(surface, loops, settings, partOf(progress, 0.0, 0.3), field); !status.ok())
     return status;
-  if (const Status status = checkPathSize(scallopPathSize(field, surface, settings), surfaceArea(surface.graph()), settings); !status.ok())
+  if (const Status status = checkPathSize(scallopPathSize(field, surface, settings), surface.area(), settings); !status.ok())
     return status;
   field_made();
   clock.end("step-over field");
-  ScallopLoopSet set;
-  if (!makeScallopLoops(field, partOf(progress, 0.3, 0.6), set))
-    return {StatusCode::Cancelled, "cancelled"};
-  figures.fingers = set.axes.size();
-  figures.lines = forPictures(set.loops);
-  figures.axes = set.axes;
-  clock.end("scallop loops");
   LinkedPath path;
-  if (const Status status = makeScallopPath(std::move(set.loops), &field, settings, partOf(progress, 0.6, 1.0), clock, path, figures);
-      !status.ok())
+  if (const Status status = linkOnField(&field, {}, settings, partOf(progress, 0.3, 1.0), clock, path, figures); !status.ok())
     return status;
   return samplePath(path, surface, settings, turns.curve, turns.largest_allowed_step);
 }

@@ -171,7 +171,7 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
   const bool small = surface.size() <= most_points;
   SurfaceGraph coarse;
   if (!small)
-    coarse = coarseGraph(surface, surfaceArea(surface.graph()));
+    coarse = coarseGraph(surface, surface.area());
   const SurfaceGraph& graph = small || coarse.size() == 0 ? surface.graph() : coarse;
   const MlsSurface fit(graph);
   const double step_over = meanStepOver(fit, settings);

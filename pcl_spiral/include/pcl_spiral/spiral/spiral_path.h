@@ -70,6 +70,9 @@ struct SpiralPath {
   const Polyline& onSurface() const { return feet.empty() ? contacts : feet; } ///< The feet of all contacts.
 };
 
+/** Lengths cut up to each contact of \p path, mm. The sum is serial: its rounding depends on its order. */
+std::vector<double> cutLengths(const SpiralPath& path);
+
 /** Result of measureGaps. */
 struct GapFigures {
   std::size_t points = 0; ///< path points over gaps of the scan

@@ -7,6 +7,8 @@
 #include <pcl_spiral/common/impl/stage_clock.h>
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/spiral/impl/given_parts.h>
+#include <pcl_spiral/spiral/path_planner.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -28,7 +30,9 @@ namespace pcl_spiral {
  *  Runs every stage: ScannedSurface, BoundaryLoops, GapBridging, RadialLines, turns (makeTurns), projection
  *  (putOnSurface), tool axis (setToolAxes). Give it a cloud and three lengths: tool radius, scallop height, chord error, all in
  *  the unit of the cloud (mm). Further input replaces what would be made: a surface (setInputSurface), loops
- *  (setBoundaryLoops), radial lines (setRadialLines). Stage by stage and in one call give the same bytes.
+ *  (setBoundaryLoops), radial lines (setRadialLines), stages of constant scallop height (setStepOverField, setScallopLoops,
+ *  setLinkedPath), the whole curve (setCurve, setPlanner); addModifier changes the path before it is checked.
+ *  Stage by stage and in one call give the same bytes.
  *  Source: Wu, Chai, Bo, Liu, Wang, China Mechanical Engineering 36(4), 2025, 697-702, with corrected equations.
  *
  *  \p PointOutT: ToolpathPoint, or any other type; ToolpathFields fills the fields it has.
@@ -50,6 +54,34 @@ public:
   void setRadialLines(const RadialLineSet& lines) { given_lines_ = lines; }
   const std::optional<RadialLineSet>& getRadialLines() const { return given_lines_; } ///< The value of setRadialLines.
   void clearRadialLines() { given_lines_.reset(); }                                   ///< Takes back setRadialLines.
+
+  /** A path at constant scallop height, from one of its stages on. Boundaries and gaps are looked after as without it, but distances, loops
+   *  or links are those given, made on the same surface with the same tool radius and scallop height; others are refused. One of these,
+   *  radial lines, a curve and a planner can be given, except that a field may come with its loops: the path is then moved where it would
+   *  leave more than the scallop height (LoopLinking). Null or empty, the default: all is made.
+   *  @{ */
+  void setStepOverField(const std::shared_ptr<const StepOverDistance>& field) { given_parts_.field = field; }
+  void setScallopLoops(const std::vector<ScallopLoop>& loops) { given_parts_.loops = loops; }
+  void setLinkedPath(const LinkedPath& path) { given_parts_.linked = path; }
+  /** @} */
+  const std::shared_ptr<const StepOverDistance>& getStepOverField() const { return given_parts_.field; } ///< The value of setStepOverField.
+  const std::vector<ScallopLoop>& getScallopLoops() const { return given_parts_.loops; }                 ///< The value of setScallopLoops.
+  const LinkedPath& getLinkedPath() const { return given_parts_.linked; }                                ///< The value of setLinkedPath.
+
+  /** A curve of the user's own: places near the surface in travel order, about a spacing apart or closer. It gets points for the chord
+   *  error, is put on the surface, and gets axes and checks as a spiral does; how far its rows are apart is not checked, see
+   *  MaterialRemoval. SpiralPoint::turn may be 0 everywhere. Empty, the default: none. */
+  void setCurve(const std::vector<SpiralPoint>& curve) { given_parts_.curve = curve; }
+  const std::vector<SpiralPoint>& getCurve() const { return given_parts_.curve; } ///< The value of setCurve.
+
+  /** A planner of the user's own makes the curve, with the surface and its boundaries. Null, the default: none. */
+  void setPlanner(const std::shared_ptr<const PathPlanner>& planner) { given_parts_.planner = planner; }
+  const std::shared_ptr<const PathPlanner>& getPlanner() const { return given_parts_.planner; } ///< The value of setPlanner.
+
+  /** Changes the path after its axes are made, before it is checked; several in this order. Published takes none. */
+  void addModifier(const std::shared_ptr<const PathModifier>& modifier) { modifiers_.push_back(modifier); }
+  const std::vector<std::shared_ptr<const PathModifier>>& getModifiers() const { return modifiers_; } ///< Those of addModifier.
+  void clearModifiers() { modifiers_.clear(); }                                                       ///< Takes back addModifier.
 
   /** Radius of the ball cutter, mm. Must be set, above the scallop height. */
   void setToolRadius(double radius) { settings_.tool_radius = radius; }
@@ -196,6 +228,7 @@ private:
   Status makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, RadialLineSet& lines);
   Status makeCurve(Surface::ConstPtr& surface, const Surroundings& around, StageClock& clock, SpiralTurns& turns,
                    std::unique_ptr<BallReach>& reach);
+  Status makeOfParts(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
   Status makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines, StageClock& clock, SpiralTurns& turns);
@@ -209,6 +242,8 @@ private:
 
   std::vector<BoundaryLoop> given_loops_;
   std::optional<RadialLineSet> given_lines_;
+  GivenParts given_parts_;
+  std::vector<std::shared_ptr<const PathModifier>> modifiers_;
   SpiralSettings settings_;
   std::vector<SurfacePatch> beyond_;
   Surroundings around_;

@@ -103,6 +103,8 @@ public:
   Eigen::Vector3d normal(std::size_t i) const { return parts_.graph.normal(i); }
   /** Median distance between neighbouring points, as if they were spread evenly. */
   double spacing() const { return parts_.graph.spacing(); }
+  /** Area, mm2: the sum of each point's share, also of those put into gaps. */
+  double area() const { return surfaceArea(parts_.graph); }
   /** Standard deviation of the points about the fit. */
   double noise() const { return fit_.noise(); }
 

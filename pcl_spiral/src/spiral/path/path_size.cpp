@@ -13,15 +13,6 @@
 
 namespace pcl_spiral {
 
-double
-surfaceArea(const SurfaceGraph& graph)
-{
-  double area = 0.0;
-  for (std::size_t i = 0; i < graph.size(); ++i)
-    area += graph.spacing(i) * graph.spacing(i);
-  return area;
-}
-
 PathSize
 roughPathSize(double area, const SpiralSettings& settings)
 {

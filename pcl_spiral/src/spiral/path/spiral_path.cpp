@@ -2,6 +2,7 @@
 #include <pcl_spiral/spiral/impl/tight_places.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
+#include "common/stoppable_loop.h"
 #include "given_path.h"
 #include "path_feet.h"
 #include "tight_ride.h"
@@ -25,7 +26,6 @@ constexpr double gap_in_spacings = 2.7; // one in 10^9 random points lies this f
 constexpr double slack = 1.05;          // steps stretch a little when they are projected onto the surface
 constexpr double stretched = 2.0;       // on rough surfaces they stretch more, and are halved again and again
 constexpr int most_halvings = 3;
-constexpr std::size_t chunk = 1u << 16; // path points between progress reports
 
 bool
 isOverGap(const SurfaceFoot& foot, const Surface& surface)
@@ -73,7 +73,8 @@ halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
   return true;
 }
 
-/** Lengths cut up to each point. The sum is serial: its rounding depends on its order. */
+} // namespace
+
 std::vector<double>
 cutLengths(const SpiralPath& path)
 {
@@ -85,8 +86,6 @@ cutLengths(const SpiralPath& path)
   std::partial_sum(lengths.begin(), lengths.end(), lengths.begin());
   return lengths;
 }
-
-} // namespace
 
 bool
 isOverGap(const Surface& surface, const Eigen::Vector3d& place, std::uint32_t nearest, double distance)
@@ -128,8 +127,8 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
       path.passes.push_back(i);
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < curve.size(); begin += chunk) {
-    const std::size_t end = std::min(curve.size(), begin + chunk);
+  for (std::size_t begin = 0; begin < curve.size(); begin += report_chunk) {
+    const std::size_t end = std::min(curve.size(), begin + report_chunk);
     const auto count = static_cast<std::int64_t>(end - begin);
     queries.resize(end - begin);
 #pragma omp parallel for schedule(static)

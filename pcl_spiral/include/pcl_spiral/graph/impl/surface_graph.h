@@ -75,4 +75,7 @@ private:
   OuterSide side_;
 };
 
+/** Area of the surface, mm2: the sum of each point's share. */
+double surfaceArea(const SurfaceGraph& graph);
+
 } // namespace pcl_spiral

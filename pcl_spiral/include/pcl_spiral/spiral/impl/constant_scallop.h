@@ -37,6 +37,10 @@ Status makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>
 Status makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, const SpiralSettings& settings,
                        const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures);
 
+/** One path over \p loops as makeScallopPath makes it; without loops, over those of makeScallopLoops on \p field. */
+Status linkOnField(const StepOverDistance* field, std::vector<ScallopLoop> loops, const SpiralSettings& settings,
+                   const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures);
+
 /** The curve of a path over \p surface between the rim and holes among \p loops, each of type Outer or Inner: distances from them
  *  in step-overs (makeStepOverField), loops that cover everything (makeScallopLoops), one path over these (makeScallopPath), its
  *  points (samplePath). Settings used: tool radius, scallop height, chord error, longest step, direction, sense. \p field_made is called

@@ -24,9 +24,6 @@ struct PathSize {
   double bytes() const { return 200.0 * points + 150.0 * knots; }
 };
 
-/** Area of the surface, mm2: the sum of each point's share. */
-double surfaceArea(const SurfaceGraph& graph);
-
 /** From the \p area only: turns one flat step-over apart, with the longest moves. A hollow surface needs fewer points; every bend
  *  of the path needs more. */
 PathSize roughPathSize(double area, const SpiralSettings& settings);

@@ -46,7 +46,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::Cons
 {
   report_.method = SpiralMethod::Radial;
   reportLines(lines, settings_, report_);
-  const double area = surfaceArea(surface->graph());
+  const double area = surface->area();
   if (given_lines_ || methodAsked(settings_) == SpiralMethod::Radial)
     dropTriangulation(surface); // the projection needs only neighbourhoods; makeShortest may need it
   clock.end("radial lines");
@@ -91,6 +91,22 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(Surfa
   report_.largest_allowed_step = turns.largest_allowed_step;
   if (status.ok())
     reportScallop(figures, settings_, report_);
+  return status;
+}
+
+/** Of what the user gave. The checks are those of constant scallop height, which do not take turns for rings one inside the other. */
+template <typename PointInT, typename PointNT, typename PointOutT>
+Status
+SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOfParts(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
+                                                                   StageClock& clock, SpiralTurns& turns)
+{
+  report_.method = SpiralMethod::ConstantScallop;
+  ScallopFigures figures;
+  const Status status = planGiven(given_parts_, *surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, turns, figures);
+  report_.largest_allowed_step = turns.largest_allowed_step;
+  if (status.ok() && !given_parts_.ofUser())
+    reportScallop(figures, settings_, report_);
+  clock.end("linked path");
   return status;
 }
 

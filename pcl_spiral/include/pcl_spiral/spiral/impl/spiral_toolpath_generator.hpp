@@ -100,6 +100,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
   if (const Status status = checkReach(reach.get()); !status.ok())
     return status;
   clock.end("reach of the ball");
+  if (!given_parts_.empty())
+    return makeOfParts(surface, loops, clock, turns);
   switch (methodAsked(settings_)) {
   case SpiralMethod::ConstantScallop: {
     const Status status = makeConstantScallop(surface, loops, true, clock, turns);
@@ -162,6 +164,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
 {
   if (const Status status = checkSettings(settings_); !status.ok())
     return status;
+  if (const Status status = checkGivenParts(given_parts_, settings_, given_lines_.has_value()); !status.ok())
+    return status;
+  if (settings_.method == SpiralMethod::Published && !modifiers_.empty())
+    return {StatusCode::InvalidArgument, "the published method takes no modifiers: take them back, or choose another method (setMethod)"};
   for (const Prism& prism : around_.keep_outs)
     if (!prism.fault().empty())
       return {StatusCode::InvalidArgument, "the polygon of a keep-out is no area: " + prism.fault()};
@@ -201,7 +207,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
       return status;
   }
   const std::vector<Eigen::Vector3f> ridden = surface->riddenPoints();
-  surface.reset(); // the reach is asked for no patch from here on
+  if (modifiers_.empty())
+    surface.reset(); // the reach is asked for no patch from here on
   clock.end("projection");
   const Status cancelled(StatusCode::Cancelled, "cancelled");
   if (progress_ && !progress_(0.9, "tool axis"))
@@ -209,6 +216,9 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
   AxisFigures axes;
   if (const Status status = setToolAxes(settings_, path, axes, report_.warnings, ridden); !status.ok())
     return status;
+  if (!modifiers_.empty())
+    if (const Status status = modifyPath(modifiers_, *surface, settings_, path); !status.ok())
+      return status;
   SpiralSettings used = settings_;
   used.method = report_.method;
   PathFigures figures;

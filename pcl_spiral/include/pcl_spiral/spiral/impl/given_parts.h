@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Parts of a path that the user gives in place of those that SpiralToolpathGenerator makes.
+ */
+#pragma once
+
+#include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/common/impl/stage_clock.h>
+#include <pcl_spiral/spiral/path_planner.h>
+
+#include <memory>
+#include <vector>
+
+namespace pcl_spiral {
+
+struct StepOverDistance;
+
+/** One of them makes the path; a field may come with loops. */
+struct GivenParts {
+  std::shared_ptr<const StepOverDistance> field; ///< of setStepOverField
+  std::vector<ScallopLoop> loops;                ///< of setScallopLoops
+  LinkedPath linked;                             ///< of setLinkedPath; without points: none
+  std::vector<SpiralPoint> curve;                ///< of setCurve
+  std::shared_ptr<const PathPlanner> planner;    ///< of setPlanner
+
+  bool empty() const { return !field && loops.empty() && !ofUser(); }
+  /** Whether the curve is the user's own, of which the field and loops know nothing. */
+  bool ofUser() const { return !linked.points.empty() || !curve.empty() || planner; }
+};
+
+/** Ok, or an error: more than one part, with \p lines_given for radial lines; a method that makes the path otherwise; another tool radius
+ *  or scallop height than that of \p settings; arrays that do not fit together. */
+Status checkGivenParts(const GivenParts& given, const SpiralSettings& settings, bool lines_given);
+
+/** The curve of \p given over \p surface between \p boundaries, and its points for linear moves (samplePath). */
+Status planGiven(const GivenParts& given, const Surface& surface, const std::vector<BoundaryLoop>& boundaries,
+                 const SpiralSettings& settings, const ProgressCallback& progress, StageClock& clock, SpiralTurns& turns,
+                 ScallopFigures& figures);
+
+/** Runs \p modifiers on \p path, which has its axes, and measures it again. Fails if one fails, or leaves arrays of different sizes,
+ *  numbers that are not finite, axes or normals without length. */
+Status modifyPath(const std::vector<std::shared_ptr<const PathModifier>>& modifiers, const Surface& surface, const SpiralSettings& settings,
+                  SpiralPath& path);
+
+} // namespace pcl_spiral
