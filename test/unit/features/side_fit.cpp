@@ -27,7 +27,7 @@ square()
 }
 
 /** The lower edge of the square, or a line \p high to and fro across it. */
-OutlineSide
+EdgeSide
 lowerEdge(double high)
 {
   Polyline line;
@@ -61,7 +61,7 @@ TEST(SideFit, AStraightEdgeIsFound)
 TEST(SideFit, ASideMuchLongerThanTheRingIsNoFit)
 {
   const SurfaceGraph graph = square();
-  const OutlineSide start = lowerEdge(12.0);
+  const EdgeSide start = lowerEdge(12.0);
   ASSERT_GT(length(start.nodes), 5.0 * width);
   const FittedSide fitted = fitSide(MlsSurface(graph), 1.0, start, edgePoints(), width);
   EXPECT_TRUE(std::isinf(fitted.outside));
