@@ -19,7 +19,7 @@ testsOf(const std::string& file)
     const testing::TestSuite& suite = *all.GetTestSuite(s);
     for (int t = 0; t < suite.total_test_count(); ++t) {
       const testing::TestInfo& test = *suite.GetTestInfo(t);
-      if (std::filesystem::path(test.file()).stem() == file)
+      if (std::filesystem::path(test.file()).stem() == file && std::string(test.name()).rfind("DISABLED_", 0) != 0)
         filter += (filter.empty() ? "" : ":") + std::string(suite.name()) + "." + test.name();
     }
   }
@@ -38,8 +38,11 @@ main(int argc, char** argv)
       std::cerr << argv[0] << " has no tests of " << argv[1] << ".cpp\n";
       return 1;
     }
-    if (testing::GTEST_FLAG(filter) == "*")
-      testing::GTEST_FLAG(filter) = filter;
+    if (testing::GTEST_FLAG(filter) != "*") {
+      std::cerr << argv[0] << ": give a file or a filter, not both\n";
+      return 1;
+    }
+    testing::GTEST_FLAG(filter) = filter;
   }
   return RUN_ALL_TESTS();
 }

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace pcl_spiral {
@@ -119,6 +120,20 @@ makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>& loops
   return measureStepOvers(surface, outlines, options, field, progress);
 }
 
+void
+measureLinked(const LinkedPath& path, ScallopFigures& figures)
+{
+  if (!path.metric.empty())
+    std::tie(figures.smallest_step_over, figures.largest_step_over) = stepOverRange(path);
+  figures.chain_loops = path.chain_loops;
+  figures.bridges = path.bridges;
+  figures.dots = path.dots;
+  if (!path.reversed.empty())
+    figures.reversed_share = lengthOf(path, true) / lengthOf(path, false);
+  figures.lifts = path.passes.size();
+  figures.lift_length = liftsOf(path);
+}
+
 Status
 makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, const SpiralSettings& settings,
                 const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures)
@@ -149,12 +164,6 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
     figures.farthest_place = cover.farthest_place;
     clock.end("coverage");
   }
-  const auto [narrow, wide] = stepOverRange(path);
-  figures.smallest_step_over = narrow;
-  figures.largest_step_over = wide;
-  figures.chain_loops = path.chain_loops;
-  figures.bridges = path.bridges;
-  figures.dots = path.dots;
   if (settings.start_point)
     figures.start_off = (path.points.front() - *settings.start_point).norm();
   const SharpTurns turns = sharpTurns(path, held_rim * rim);
@@ -163,9 +172,7 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
   figures.sharpest_place = path.points[turns.sharpest];
   if (!inward)
     reversePath(path);
-  figures.reversed_share = lengthOf(path, true) / lengthOf(path, false);
-  figures.lifts = path.passes.size();
-  figures.lift_length = liftsOf(path);
+  measureLinked(path, figures);
   return Status::success();
 }
 

@@ -178,6 +178,8 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   report.largest_step_over = figures.largest_step_over;
   report.turn_radius = figures.turn_radius;
   report.sharpest_place = figures.sharpest_place;
+  if (!(figures.rim_length > 0.0))
+    return; // a curve or a linked path was given, and its rim is not known
   if (figures.start_off > far_start * figures.rim_length)
     report.warnings.push_back(textOf("the path reaches the rim ", figures.start_off,
                                      " mm from the given start point: the inner loops "

@@ -226,7 +226,10 @@ TEST(GivenParts, PartsOfAnotherToolOrHeightAreRefused)
     finish.setMethod(SpiralMethod::Shortest);
     finish.setCurve(circles({8.0}));
     EXPECT_NE(finish.refusal().find("only one of them can make the path"), std::string::npos);
+    finish.clearGivenParts();
     finish.setCurve({});
+    EXPECT_NE(finish.refusal().find("the curve has no points"), std::string::npos);
+    finish.clearGivenParts();
     EXPECT_FALSE(finish.done().empty());
   }
 }
@@ -264,7 +267,7 @@ TEST(GivenParts, ACurveThatLeavesTheSurfaceOrCrossesItselfOrIsNoCurveIsRefused)
   Generator finish;
   finish.setInputCloud(cap());
   finish.setCurve(circles({8.0, 32.0}));
-  EXPECT_NE(finish.refusal().find("leaves the scanned surface at"), std::string::npos);
+  EXPECT_NE(finish.refusal().find("off the scanned surface at"), std::string::npos);
   std::vector<SpiralPoint> eight = circles({8.0, 8.0});
   for (SpiralPoint& point : eight)
     point.begins_pass = false;
@@ -317,7 +320,7 @@ TEST(GivenParts, APlannerGetsTheSurfaceAndItsBoundariesAndItsEndingIsThatOfTheGe
   planner->ending = Circles::Ending::Fails;
   EXPECT_EQ(finish.refusal(), "no rows fit on this part");
   planner->ending = Circles::Ending::Empty;
-  EXPECT_NE(finish.refusal().find("the planner's path is empty"), std::string::npos);
+  EXPECT_NE(finish.refusal().find("the planner's path has no points"), std::string::npos);
   planner->ending = Circles::Ending::Uneven;
   EXPECT_NE(finish.refusal().find("182 points and 1 turns"), std::string::npos);
   planner->ending = Circles::Ending::Throws;
@@ -360,11 +363,103 @@ TEST(GivenParts, AModifierChangesThePathAndTheResultIsChecked)
     return finish.refusal();
   };
   EXPECT_NE(refused([](SpiralPath& path) { path.axes.pop_back(); }).find("keep one of each for every contact"), std::string::npos);
-  EXPECT_NE(refused([](SpiralPath& path) { path.axes[3] *= 2.0f; }).find("point 3 of the path"), std::string::npos);
+  EXPECT_NE(refused([](SpiralPath& path) { path.axes[3] *= 2.0f; }).find("point 3, ("), std::string::npos);
   EXPECT_NE(refused([](SpiralPath& path) { path.passes.push_back(0); }).find("begins at point 0"), std::string::npos);
-  EXPECT_NE(refused([](SpiralPath& path) { path = SpiralPath(); }).find("the modified path is empty"), std::string::npos);
+  EXPECT_NE(refused([](SpiralPath& path) { path = SpiralPath(); }).find("without points"), std::string::npos);
   EXPECT_NE(refused([](SpiralPath& path) { path.contacts[path.contacts.size() / 2].x() += 30.0; }).find("the path jumps by"),
             std::string::npos);
+}
+
+TEST(GivenParts, AModifierMustLeaveAPath)
+{
+  Generator finish;
+  finish.setInputCloud(cap());
+  const auto refused = [&](std::function<void(SpiralPath&)> change) {
+    finish.clearModifiers();
+    finish.addModifier(std::make_shared<Change>(std::move(change)));
+    return finish.refusal();
+  };
+  EXPECT_NE(refused([](SpiralPath& path) { path.normals[7] *= -1.0; }).find("point 7, "), std::string::npos);
+  EXPECT_NE(refused([](SpiralPath& path) { path.axes[9] = -path.axes[9]; }).find("leans 89 degrees or more"), std::string::npos);
+  EXPECT_NE(refused([](SpiralPath& path) { path.feet = path.contacts; }).find("feet and 0 lifts"), std::string::npos);
+  EXPECT_NE(refused([](SpiralPath& path) {
+              path.feet = path.contacts;
+              path.lifts.assign(path.feet.size(), 0.0f);
+              path.contacts[path.feet.size() / 2].x() += 30.0; // steps are those of the feet
+            }).find("30 mm from its foot, but its lift is 0 mm"),
+            std::string::npos);
+  finish.clearModifiers();
+  finish.addModifier(nullptr);
+  EXPECT_NE(finish.refusal().find("null pointer"), std::string::npos);
+  finish.clearModifiers();
+  finish.addModifier(std::make_shared<Change>([](SpiralPath& path) {
+    for (std::size_t i = 0; i < path.axes.size(); ++i)
+      path.axes[i] = path.normals[i].cast<float>();
+  }));
+  finish.done();
+  EXPECT_LT(finish.getReport().largest_axis_lean, 0.1); // not the tilt that was smoothed before
+}
+
+TEST(GivenParts, AFieldOrLoopsOfAnotherSurfaceAreRefusedWithThePlace)
+{
+  const Stages disc("disc"), ring("ring");
+  for (const auto& [from, to] : {std::pair(&disc, &ring), std::pair(&ring, &disc)})
+    for (const bool loops : {false, true}) {
+      Generator finish;
+      finish.setInputCloud(to->cloud);
+      if (loops)
+        finish.setScallopLoops(from->loops.loops);
+      else
+        finish.setStepOverField(from->field);
+      EXPECT_NE(finish.refusal().find("made on another surface or between other boundaries"), std::string::npos);
+    }
+  Generator finish;
+  finish.setInputCloud(ring.cloud);
+  finish.setStepOverField(ring.field);
+  finish.setRimOverhang(-3.0);
+  EXPECT_NE(finish.refusal().find("rim"), std::string::npos);
+  finish.setRimOverhang(0.0);
+  finish.setHoleMargin(3.0);
+  EXPECT_NE(finish.refusal().find("rim"), std::string::npos);
+  finish.setHoleMargin(0.0);
+  finish.setCenter(Vector3d::Zero());
+  EXPECT_NE(finish.refusal().find("setCenter"), std::string::npos);
+}
+
+TEST(GivenParts, ACurveThroughAHoleOrItsMarginIsRefusedWithThePlace)
+{
+  const double hole = 3.0;
+  const auto cloud = toCloud(sampleUniform(*ball(sphere, Region({circle({0.0, 0.0}, reach), circle({8.0, 0.0}, hole)})), 9000, 5).points);
+  Generator finish;
+  finish.setInputCloud(cloud);
+  finish.setHoleSize(4.0);
+  finish.setCurve(circles({8.0}));
+  EXPECT_NE(finish.refusal().find("into a hole of the part"), std::string::npos);
+  finish.setHoleHandling(HoleHandling::Over);
+  EXPECT_FALSE(finish.done().empty());
+  finish.setHoleHandling(HoleHandling::Around);
+  finish.setCurve(circles({16.0})); // 5 mm from the edge of the hole
+  EXPECT_FALSE(finish.done().empty());
+  finish.setHoleMargin(8.0);
+  EXPECT_FALSE(finish.made().size() > 0) << "8 mm are asked for";
+}
+
+TEST(GivenParts, ACoarseCurveFollowsTheSurfaceBetweenItsPoints)
+{
+  Generator finish;
+  finish.setInputCloud(cap());
+  finish.setCurve({{onSphere(-15.0, 4.0), 0.0}, {onSphere(15.0, 4.0), 1.0}}); // the chord between them is 2 mm under the sphere
+  const Path path = finish.done();
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vector3d a = path[i - 1].getVector3fMap().cast<double>(), b = path[i].getVector3fMap().cast<double>();
+    EXPECT_NEAR(b.norm(), sphere, 2e-3);
+    EXPECT_LT(sphere - (0.5 * (a + b)).norm(), 0.01); // chord error of the contacts
+    length += (b - a).norm();
+  }
+  const double across = std::sqrt(sphere * sphere - 16.0); // the plane y = 4 cuts the sphere in a circle of this radius
+  EXPECT_NEAR(length, 2.0 * across * std::asin(15.0 / across), 0.05);
+  EXPECT_TRUE(finish.getReport().own_curve);
 }
 
 } // namespace given_parts_test

@@ -29,15 +29,15 @@ class PathPlanner {
 public:
   virtual ~PathPlanner() = default; ///< For classes with members of their own.
 
-  /** Makes the points of \p path, in travel order and as close to the surface as its points are, about a spacing. Straight moves between
-   *  them are kept to a fifth of the chord error. LinkedPath::passes: where the tool is lifted. LinkedPath::turns may be empty, or
-   *  has one number for each point, as LinkedPath says; other members are not used. \return Ok, or an error, which is that of the
-   *  generator */
+  /** Makes the points of \p path in travel order, near the surface; see SpiralToolpathGenerator::setCurve. LinkedPath::passes: where
+   *  the tool is lifted. LinkedPath::turns may be empty, or has one number for each point, as LinkedPath says; other members are not
+   *  used. \return Ok, or an error, which is that of the generator */
   virtual Status plan(const PlannerInput& input, LinkedPath& path) const = 0;
 };
 
-/** Changes a path that has its normals and tool axes: another lead in a corner, passes left out. The generator then measures arc lengths,
- *  and checks steps, crossings and surroundings; it does not check again whether contacts lie on the surface, see DeviationEstimation.
+/** Changes a path that has its normals and tool axes: another lead in a corner, passes left out. The generator then measures arc lengths
+ *  and axes again, and checks normals, lifts, steps, crossings and surroundings; it does not check again whether contacts lie on the
+ *  surface, see DeviationEstimation.
  *  \see SpiralToolpathGenerator::addModifier */
 class PathModifier {
 public:

@@ -141,8 +141,8 @@ Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures
 void measureTurns(const SpiralPath& path, const SpiralSettings& settings, PathFigures& figures);
 
 /** Fails on a move longer than \p longest_step, if the path crosses itself, or if it turns back on itself: with
- *  SpiralMethod::ConstantScallop, whose fingers do so, that is only counted. */
+ *  SpiralMethod::ConstantScallop, whose fingers do so, that is only counted. \p own_curve: no setting made it, so the remedy names none. */
 Status checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest_step, const ProgressCallback& progress,
-                 PathFigures& figures);
+                 PathFigures& figures, bool own_curve = false);
 
 } // namespace pcl_spiral

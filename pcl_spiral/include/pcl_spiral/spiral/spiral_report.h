@@ -54,6 +54,7 @@ struct SpiralReport {
   std::vector<BoundaryLoop> loops; ///< rim, holes and gaps, as found or given
   std::vector<HoleReport> holes;   ///< holes and gaps
   SpiralMethod method = SpiralMethod::Radial;       ///< that made the path
+  bool own_curve = false;                           ///< of setCurve or setPlanner: method then tells by whose rules it was checked
   double foreseen_radial = 0.0;                     ///< predicted length of the radial path, used to choose the method; 0: not predicted
   double foreseen_scallop = 0.0;                    ///< the same for ConstantScallop
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of the spiral, with one boundary only

@@ -55,28 +55,28 @@ public:
   const std::optional<RadialLineSet>& getRadialLines() const { return given_lines_; } ///< The value of setRadialLines.
   void clearRadialLines() { given_lines_.reset(); }                                   ///< Takes back setRadialLines.
 
-  /** A path at constant scallop height, from one of its stages on. Boundaries and gaps are looked after as without it, but distances, loops
-   *  or links are those given, made on the same surface with the same tool radius and scallop height; others are refused. One of these,
-   *  radial lines, a curve and a planner can be given, except that a field may come with its loops: the path is then moved where it would
-   *  leave more than the scallop height (LoopLinking). Null or empty, the default: all is made.
+  /** A path at constant scallop height, from one of its stages on: a field, loops, or a linked path. Boundaries and gaps are looked after
+   *  as without it. A field and loops must be of the same surface: their rims are compared with those found here. All must be made with
+   *  the same tool radius and scallop height; others are refused. Loops may come with their field: the path is then moved where it would
+   *  leave more than the scallop height (LoopLinking). Direction, sense, start point and one-way cutting are those of a linked path.
+   *  Only one of these, radial lines, a curve and a planner can be given.
    *  @{ */
   void setStepOverField(const std::shared_ptr<const StepOverDistance>& field) { given_parts_.field = field; }
   void setScallopLoops(const std::vector<ScallopLoop>& loops) { given_parts_.loops = loops; }
   void setLinkedPath(const LinkedPath& path) { given_parts_.linked = path; }
   /** @} */
-  const std::shared_ptr<const StepOverDistance>& getStepOverField() const { return given_parts_.field; } ///< The value of setStepOverField.
-  const std::vector<ScallopLoop>& getScallopLoops() const { return given_parts_.loops; }                 ///< The value of setScallopLoops.
-  const LinkedPath& getLinkedPath() const { return given_parts_.linked; }                                ///< The value of setLinkedPath.
 
-  /** A curve of the user's own: places near the surface in travel order, about a spacing apart or closer. It gets points for the chord
-   *  error, is put on the surface, and gets axes and checks as a spiral does; how far its rows are apart is not checked, see
-   *  MaterialRemoval. SpiralPoint::turn may be 0 everywhere. Empty, the default: none. */
+  /** A curve of the user's own: places near the surface in travel order. Between two of them the curve runs straight, seen from outside,
+   *  also over a crest: SpiralPoint::begins_pass lifts the tool there. It gets points for the chord error, is put on the surface, and gets
+   *  axes and checks as a spiral does: it must not cross itself, nor run into a hole. How far its rows are apart is not checked, see
+   *  MaterialRemoval. SpiralPoint::turn may be 0 everywhere. Direction, sense, start point and one-way cutting are those of the curve. */
   void setCurve(const std::vector<SpiralPoint>& curve) { given_parts_.curve = curve; }
-  const std::vector<SpiralPoint>& getCurve() const { return given_parts_.curve; } ///< The value of setCurve.
 
-  /** A planner of the user's own makes the curve, with the surface and its boundaries. Null, the default: none. */
+  /** A planner of the user's own makes such a curve, with the surface and its boundaries. Null, the default: none. */
   void setPlanner(const std::shared_ptr<const PathPlanner>& planner) { given_parts_.planner = planner; }
-  const std::shared_ptr<const PathPlanner>& getPlanner() const { return given_parts_.planner; } ///< The value of setPlanner.
+
+  const GivenParts& getGivenParts() const { return given_parts_; } ///< Field, loops, linked path, curve and planner.
+  void clearGivenParts() { given_parts_ = GivenParts(); }          ///< Takes all five back.
 
   /** Changes the path after its axes are made, before it is checked; several in this order. Published takes none. */
   void addModifier(const std::shared_ptr<const PathModifier>& modifier) { modifiers_.push_back(modifier); }

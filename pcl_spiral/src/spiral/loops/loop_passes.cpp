@@ -62,10 +62,10 @@ Status
 checkScallopLoops(const std::vector<ScallopLoop>& loops)
 {
   const auto wrong = [](std::size_t i, const std::string& what) -> Status {
-    return {StatusCode::InvalidInput, textOf("loop ", i, " ", what, " (setInputLoops)")};
+    return {StatusCode::InvalidInput, textOf("loop ", i, " ", what)};
   };
   if (loops.empty())
-    return {StatusCode::InvalidInput, "there are no loops: give loops made by ScallopLoops (setInputLoops)"};
+    return {StatusCode::InvalidInput, "there are no loops: give loops made by ScallopLoops"};
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const ScallopLoop& loop = loops[i];
     if (loop.points.size() < 3)

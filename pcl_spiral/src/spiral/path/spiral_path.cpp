@@ -170,7 +170,7 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
 
 Status
 checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest_step, const ProgressCallback& progress,
-          PathFigures& figures)
+          PathFigures& figures, bool own_curve)
 {
   figures = PathFigures();
   if (const Status status = checkGiven(path.contacts.size(), "the path"); !status.ok())
@@ -204,7 +204,8 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
   if (crossing)
     return {StatusCode::Failed,
             textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
-                   settings.method == SpiralMethod::ConstantScallop
+                   own_curve ? std::string(": change the curve there; its passes must not cross either")
+                   : settings.method == SpiralMethod::ConstantScallop
                        ? std::string(": if the scan holds more than the part, such as the table below it, crop it to the part "
                                      "(setCrop); else choose the other sense (setSense), ") +
                              (settings.one_way ? "" : "passes with lifts between them (setOneWay), ") +

@@ -37,6 +37,9 @@ Status makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>
 Status makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, const SpiralSettings& settings,
                        const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures);
 
+/** The figures of \p path itself: step-overs, bridges, the share against the sense, lifts. */
+void measureLinked(const LinkedPath& path, ScallopFigures& figures);
+
 /** One path over \p loops as makeScallopPath makes it; without loops, over those of makeScallopLoops on \p field. */
 Status linkOnField(const StepOverDistance* field, std::vector<ScallopLoop> loops, const SpiralSettings& settings,
                    const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures);

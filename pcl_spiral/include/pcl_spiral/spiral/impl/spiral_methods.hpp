@@ -104,9 +104,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOfParts(Surface::Cons
   ScallopFigures figures;
   const Status status = planGiven(given_parts_, *surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, turns, figures);
   report_.largest_allowed_step = turns.largest_allowed_step;
-  if (status.ok() && !given_parts_.ofUser())
+  report_.own_curve = given_parts_.ofUser();
+  if (status.ok())
     reportScallop(figures, settings_, report_);
-  clock.end("linked path");
+  clock.end("curve");
   return status;
 }
 

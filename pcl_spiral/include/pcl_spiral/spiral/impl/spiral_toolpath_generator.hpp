@@ -217,12 +217,12 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
   if (const Status status = setToolAxes(settings_, path, axes, report_.warnings, ridden); !status.ok())
     return status;
   if (!modifiers_.empty())
-    if (const Status status = modifyPath(modifiers_, *surface, settings_, path); !status.ok())
+    if (const Status status = modifyPath(modifiers_, *surface, settings_, path, axes, gaps); !status.ok())
       return status;
   SpiralSettings used = settings_;
   used.method = report_.method;
   PathFigures figures;
-  const Status checked = checkPath(path, used, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures);
+  const Status checked = checkPath(path, used, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures, given_parts_.ofUser());
   reportPath(gaps, axes, figures, report_);
   report_.pass_begins = path.passes;
   if (reach)
