@@ -4,6 +4,17 @@
 # -DPCL_SPIRAL_UNITY_BUILD=OFF each file is compiled alone, as after a change of one.
 option(PCL_SPIRAL_UNITY_BUILD "Compile several sources at a time, which takes less than half the time" ON)
 
+# A compiler process needs up to 1.7 GB: no more of them at a time than there is memory for (Ninja).
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_JOB_POOL_COMPILE)
+  cmake_host_system_information(RESULT memory QUERY AVAILABLE_PHYSICAL_MEMORY)
+  math(EXPR processes "${memory} / 1800")
+  if(processes LESS 1)
+    set(processes 1)
+  endif()
+  set_property(GLOBAL APPEND PROPERTY JOB_POOLS compile=${processes})
+  set(CMAKE_JOB_POOL_COMPILE compile)
+endif()
+
 function(pcl_spiral_batches target)
   if(NOT PCL_SPIRAL_UNITY_BUILD)
     return()

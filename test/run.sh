@@ -12,8 +12,8 @@ echo "Configuring $build"
 cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPCL_SPIRAL_BUILD_TESTS=ON \
   -DPCL_SPIRAL_BUILD_EXAMPLES=ON
 
-# PCL's headers need up to 1.5 GB per compiler process.
-memory_jobs=$(awk '/MemAvailable/ { print int($2 / 1.5e6) }' /proc/meminfo)
+# A compiler process needs up to 1.7 GB, some tests as much.
+memory_jobs=$(awk '/MemAvailable/ { print int($2 / 1.8e6) }' /proc/meminfo)
 jobs=$(nproc)
 [ "$memory_jobs" -ge "$jobs" ] || jobs=$((memory_jobs > 0 ? memory_jobs : 1))
 echo "Building with $jobs jobs"
