@@ -3,6 +3,7 @@
 // without a name all. It fails if there is no such file, or if none of its tests would run.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -31,8 +32,11 @@ testsOf(const std::string& file)
 int
 main(int argc, char** argv)
 {
+  // A death test runs this program again, with its own filter.
+  const bool dies =
+      std::any_of(argv, argv + argc, [](const std::string& word) { return word.rfind("--gtest_internal_run_death_test", 0) == 0; });
   testing::InitGoogleTest(&argc, argv);
-  if (argc > 1) {
+  if (argc > 1 && !dies) {
     const std::string filter = testsOf(argv[1]);
     if (filter.empty()) {
       std::cerr << argv[0] << " has no tests of " << argv[1] << ".cpp\n";

@@ -121,7 +121,7 @@ TEST(RefusedScallopStages, FieldsThatAreNone)
   const auto broken = std::make_shared<StepOverDistance>(*field());
   broken->distance.pop_back();
   closed.setInputField(broken);
-  expectRefused(closed, set, "setInputField");
+  expectRefused(closed, set, "distances, ");
   closed.setInputField(field());
   closed.setNumberOfThreads(100000);
   expectRefused(closed, set, "setNumberOfThreads");
