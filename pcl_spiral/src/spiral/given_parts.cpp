@@ -31,8 +31,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double known_outline = 1.5; // spacings: an outline is known to one, and is compared with points half of one apart
-constexpr double most_turns = 1e9;    // of a path
+constexpr double known_outline = 1.25;  // spacings: an outline is known to one, and is compared with points half of one apart
+constexpr double most_turns = 1u << 24; // a float tells no two turns apart above that
 
 Status
 invalid(std::string message)
@@ -140,33 +140,6 @@ follow(const Surface& surface, LinkedPath& path)
   return length > 0.0 ? Status::success() : invalid("the curve has no length: give points that differ");
 }
 
-/** The first point of \p path that lies in a hole among \p boundaries, farther from its edge than the edge is known. */
-Status
-checkHoles(const LinkedPath& path, const std::vector<BoundaryLoop>& boundaries, double spacing)
-{
-  for (const BoundaryLoop& loop : boundaries) {
-    if (loop.type != LoopType::Inner)
-      continue;
-    const Prism prism(loop.curve, polygonArea(loop.curve));
-    if (!prism.fault().empty())
-      continue;
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& p : loop.curve)
-      box.extend(p);
-    const double near = 0.5 * prism.width();
-    for (const Vector3d& p : path.points) {
-      if (box.exteriorDistance(p) > near || !prism.contains(p))
-        continue;
-      const bool at_edge =
-          std::any_of(loop.curve.begin(), loop.curve.end(), [&](const Vector3d& q) { return (q - p).norm() <= known_outline * spacing; });
-      if (!at_edge)
-        return {StatusCode::Failed, "the path runs into a hole of the part, or nearer to it than its margin, at " + placeText(p) +
-                                        ": lead it round the hole, or set the path to run over holes (setHoleHandling)"};
-    }
-  }
-  return Status::success();
-}
-
 /** The points of \p lines, which are closed, and more between them, at most \p step apart. */
 std::vector<Eigen::Vector3f>
 pointsOn(const std::vector<Polyline>& lines, double step)
@@ -180,6 +153,32 @@ pointsOn(const std::vector<Polyline>& lines, double step)
         points.push_back((a + (b - a) * k / parts).cast<float>());
     }
   return points;
+}
+
+/** Ok, or an error if a point of \p path lies in a hole among \p boundaries, farther from its edge than the edge is known. */
+Status
+checkHoles(const LinkedPath& path, const std::vector<BoundaryLoop>& boundaries, double spacing)
+{
+  for (const BoundaryLoop& loop : boundaries) {
+    if (loop.type != LoopType::Inner)
+      continue;
+    const Prism prism(loop.curve, polygonArea(loop.curve));
+    if (!prism.fault().empty())
+      continue;
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : loop.curve)
+      box.extend(p);
+    const double near = 0.5 * prism.width();
+    const PointBlocks edge(pointsOn({loop.curve}, 0.5 * spacing));
+    for (const Vector3d& p : path.points) {
+      if (box.exteriorDistance(p) > near || !prism.contains(p))
+        continue;
+      if ((edge.position(edge.nearest(p)) - p).norm() > known_outline * spacing)
+        return {StatusCode::Failed, "the path runs into a hole of the part, or nearer to it than its margin, at " + placeText(p) +
+                                        ": lead it round the hole, or set the path to run over holes (setHoleHandling)"};
+    }
+  }
+  return Status::success();
 }
 
 /** Ok, or an error if \p rims, on which \p what was made, are not the \p boundaries. */

@@ -171,7 +171,7 @@ struct Change : PathModifier {
 
 TEST(GivenParts, EveryStageOfConstantScallopGivesTheBytesOfOneCall)
 {
-  for (const char* outline : {"disc", "L", "ring"}) {
+  for (const char* outline : {"disc", "L", "ring", "holes_2"}) {
     SCOPED_TRACE(outline);
     const Stages stages(outline);
     Generator whole;
