@@ -88,13 +88,33 @@ fault "newer PCL base classes have members of these names; choose others" \
 fault "messages of the library name setters, never a program's options" \
   "$(grep -rnE '"[^"]*--[a-z]' $library/include $library/src --include='*.h' --include='*.hpp' --include='*.cpp' || true)"
 
-unnamed_setters() { # that messages of the spiral name, but no program translates into its option; inputs and tolerances of single classes have none
-  grep -rhoE '"[^"]*"' $library/src/spiral $library/include/pcl_spiral/spiral/impl | grep -oE '\bset[A-Z][A-Za-z]+' |
-    grep -vE '^set(Input[A-Za-z]*|Tolerance|FitTolerance)$' | sort -u | while read -r setter; do
-    grep -q "\"$setter" $library/tools/terminal/setter_names.cpp || echo "$setter"
+# What a diagnostic has as a field: names of C++, units, and words for which a program has others.
+library_literals() { # PATTERN: lines of code of the library with a literal that has it
+  grep -rnE "^([^/*\"]|/[^/*]|\* )*\"([^\"\\\\]|\\\\.)*$1" $library/src $library/include --include='*.h' --include='*.hpp' --include='*.cpp' |
+    grep -vE "^$library/src/(visualization|verify/figure_|verify/verification_figures|io/(report|write|post)/)|PCL_(ERROR|WARN)|invalid_argument|deprecated\(|settings\.at\(|:[0-9]+:[[:space:]]*\*|pcd_origin_mark" || true
+}
+fault "names of settings typed into a sentence; put them in braces, which each face names its own way" \
+  "$(library_literals '(^|[^A-Za-z{:"])((set|add|clear)[A-Z][A-Za-z]+[^A-Za-z]|(ReadOptions|Limits|MeshSettings)::)')"
+fault "units typed into a sentence; put them in braces" "$(library_literals '[ (](mm|mm2|mm/min|mm/s2|degrees)([ ;:,.)"]|$)' | grep -v 'are degrees, longitude')"
+fault "fields in a text that is no diagnostic: they would be shown with their braces" \
+  "$(library_literals '\{[a-zA-Z]' | grep -E 'std::string(\(| [a-z_]+ = | [a-z_]+\()"' || true)"
+unknown_fields() {
+  { library_literals '\{'; grep -rnE '"[^"]*\{[a-zA-Z]' $library/tools --include='*.cpp' --include='*.h' | grep -vE 'figures_table|PictureKind::|std::regex'; } | grep -oE '"([^"\\]|\\.)*"' | sed 's/{{//g; s/}}//g' | grep -oE '\{[^{}]*\}' | tr -d '{}' | sort -u |
+    grep -vE '^(mm|mm2|mm/min|mm/s2|degrees|number|place|direction|name|((set|add|clear)[A-Z]|[A-Z][a-z]+[A-Z]|[A-Z][A-Za-z]+::|pcl::|readCloud).*|Scale it to mm)$' |
+    while read -r field; do
+      grep -qF "{\"$field\"," $library/tools/terminal/vocabulary.cpp || grep -rnF "{$field}" $library
+    done
+}
+fault "fields of sentences that are neither names of C++, units nor in tools/terminal/vocabulary.cpp" "$(unknown_fields || true)"
+fault "sentences searched or cut; use the fields of the diagnostic" \
+  "$(grep -rnE '(message|what|text|diagnostic)\(\)\.(find|substr|replace|compare)\(|warnings(\(\))?\.front\(\)' $library || true)"
+unnamed_setters() { # that the spiral names, but no program has an option for; inputs and tolerances of single classes have none
+  grep -rhoE '\{(set|add|clear)[A-Z][^}]*\}' $library/src/spiral $library/include/pcl_spiral/spiral/impl | tr -d '{}' |
+    grep -vE '^set(Input[A-Za-z]*|Tolerance|FitTolerance)$|^clearRadialLines$' | sort -u | while read -r setter; do
+    grep -qF "{\"$setter\"" $library/tools/terminal/vocabulary.cpp || grep -rnF "{$setter}" $library/src/spiral $library/include/pcl_spiral/spiral
   done
 }
-fault "setters in messages without an option in tools/terminal/setter_names.cpp" "$(unnamed_setters || true)"
+fault "setters in sentences without an option in tools/terminal/vocabulary.cpp" "$(unnamed_setters || true)"
 
 flags='-march=native|-mavx|-ffast-math|-Ofast|PCL_NO_PRECOMPILE'
 fault "flags that break PCL's ABI, the same bytes everywhere, or the compile time" \

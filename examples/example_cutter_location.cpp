@@ -25,8 +25,8 @@ locate(const char* name, const pcl_spiral::CutterShape& cutter, pcl_spiral::Cutt
   std::printf("%s: %zu of %zu contacts reached, %zu lifted by up to %.3f mm; %.3f mm sinking between points prevented\n", name,
               f.count(pcl_spiral::LocationState::Reached), locations.size(), f.count(pcl_spiral::LocationState::Lifted), f.largest_lift,
               f.largest_gap);
-  for (const std::string& warning : f.warnings)
-    std::printf("  warning: %s\n", warning.c_str());
+  for (const pcl_spiral::Diagnostic& warning : f.warnings)
+    std::printf("  warning: %s\n", warning.text().c_str());
   location.setLocationSurface(location.getLocationSurface()); // the next cutter can use the same one
 }
 

@@ -37,8 +37,8 @@ main(int argc, char** argv)
     return 1; // the class has reported the error
 
   const pcl_spiral::DeviationFigures& f = estimation.getFigures();
-  for (const std::string& warning : f.warnings)
-    std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  for (const pcl_spiral::Diagnostic& warning : f.warnings)
+    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
   std::printf("deviation: rms %.4f mm, p99 %.4f mm, greatest %.4f mm at point %zu\n", f.rms, f.p99, f.max.value, f.max.index);
   std::printf("normals: greatest error %.2f deg at point %zu\n", f.normal_error.value, f.normal_error.index);
   std::printf("scan: noise %.4f mm a point, %.4f mm in the surface fitted to it\n", f.noise, f.fit_noise);

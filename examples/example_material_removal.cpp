@@ -40,8 +40,8 @@ main(int argc, char** argv)
     return 1; // the class has reported the error
 
   const pcl_spiral::RemovalFigures& f = removal.getFigures();
-  for (const std::string& warning : f.warnings)
-    std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  for (const pcl_spiral::Diagnostic& warning : f.warnings)
+    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
   std::printf("scallop: p50 %.4f, p99 %.4f, p99.9 %.4f, greatest %.4f mm; above %.4f mm: %.2f %%\n", f.scallop.p50, f.scallop.p99,
               f.scallop.p999, f.scallop.max.value, f.limit, 100.0 * f.scallop.share_above);
   std::printf("gouge: %.4f mm at path point %zu; uncut: %.2f %%\n", f.gouge.value, f.gouge.index, 100.0 * f.stock.uncutShare());

@@ -29,8 +29,8 @@ try {
   const pcl_spiral::ScanRidgeReport& found = lines.getReport();
   std::printf("%zu sections, off by %.4f mm rms, %.4f at most; the scan scatters by %.4f\n", found.sections, found.misfit,
               found.largest_misfit, found.noise);
-  for (const std::string& warning : found.warnings)
-    std::printf("warning: %s\n", warning.c_str());
+  for (const pcl_spiral::Diagnostic& warning : found.warnings)
+    std::printf("warning: %s\n", warning.text().c_str());
 
   pcl_spiral::RidgeToolpath<pcl::PointXYZ> ridge;
   ridge.setInputCloud(rail);

@@ -27,8 +27,8 @@ try {
   const pcl_spiral::RidgeReport& found = ridge.getRidge()->report();
   std::printf("rail %.1f mm, generator %.2f mm, measured to %.3f and %.3f mm; its chord keeps %.2f degrees\n", found.rail_length,
               found.generator_length, found.rail_error, found.generator_error, found.chord_angle);
-  for (const std::string& warning : found.warnings)
-    std::printf("warning: %s\n", warning.c_str());
+  for (const pcl_spiral::Diagnostic& warning : found.warnings)
+    std::printf("warning: %s\n", warning.text().c_str());
   std::printf("%zu rows, %.2f mm apart, %zu points, %.1f mm\n", ridge.getReport().rows, ridge.getReport().largest_step,
               ridge.getReport().points, ridge.getReport().length);
   const pcl_spiral::DrivePoint& first = rows.front().points.front();

@@ -33,8 +33,8 @@ main(int argc, char** argv)
     return 1; // the class has reported the error
 
   const pcl_spiral::SpiralReport& report = spiral.getReport();
-  for (const std::string& warning : report.warnings)
-    std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  for (const pcl_spiral::Diagnostic& warning : report.warnings)
+    std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
   std::printf("%zu turns, %zu points, %.1f mm\n", report.turns, path.size(), report.path_length);
   try {
     pcl_spiral::writeToolpath(argv[2], path, {tool_radius, spiral.getSettings().feed});

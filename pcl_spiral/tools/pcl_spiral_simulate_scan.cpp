@@ -21,7 +21,6 @@
 #include <iostream>
 #include <optional>
 #include <random>
-#include <stdexcept>
 #include <vector>
 
 namespace po = boost::program_options;
@@ -168,9 +167,14 @@ foreignToRidge(const po::variables_map& given)
 void
 write(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud)
 {
-  const int failed =
-      extensionOf(file) == ".ply" ? pcl::PLYWriter().write(file, cloud, true, false) : pcl::io::savePCDFileBinary(file, cloud);
-  if (failed)
+  int failed = 0;
+  try {
+    failed = extensionOf(file) == ".ply" ? pcl::PLYWriter().write(file, cloud, true, false) : pcl::io::savePCDFileBinary(file, cloud);
+  }
+  catch (const pcl::PCLException&) {
+    failed = 1;
+  }
+  if (failed != 0)
     throw pcl_spiral::FileError(file, "cannot be written; is the disk full?");
 }
 
@@ -183,8 +187,8 @@ writeAll(const std::vector<std::string>& files, const std::vector<pcl::PointClou
     try {
       write(output.temporary(i), clouds[i]);
     }
-    catch (const std::exception& error) {
-      throw std::runtime_error(output.asGiven(error.what()));
+    catch (const pcl_spiral::FileError& error) {
+      throw pcl_spiral::FileError(output.asGiven(error.diagnostic()));
     }
   output.commit();
   for (std::size_t i = 0; i < files.size(); ++i)

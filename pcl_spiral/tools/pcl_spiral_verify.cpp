@@ -5,8 +5,8 @@
 #include "judging/tip_check.h"
 #include "terminal/program_main.h"
 #include "terminal/scan_places.h"
-#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
+#include "terminal/vocabulary.h"
 #include "verify/judged_program.h"
 #include "verify/outputs.h"
 #include "verify/scan_reference.h"
@@ -30,11 +30,11 @@ namespace {
 constexpr int failed = 1;
 
 void
-warn(const VerifyJob& job, const std::vector<std::string>& warnings)
+warn(const VerifyJob& job, const Diagnostics& warnings)
 {
   if (!job.quiet)
-    for (const std::string& warning : warnings)
-      std::cerr << "pcl_spiral_verify: warning: " << inScan(warning) << '\n';
+    for (const Diagnostic& warning : warnings)
+      std::cerr << "pcl_spiral_verify: warning: " << inWords(warning) << '\n';
 }
 
 /** \p reference is made from the scan if it is null and the file has no contacts. */
@@ -53,8 +53,8 @@ readPath(const VerifyJob& job, const JudgedPart& part, const std::string& file, 
       reference = scanReference(job, part);
     findContacts(*reference, job.settings.cutter, read);
   }
-  else if (const std::string warning = checkTips(read, job.settings.cutter, judged.verification); !warning.empty())
-    warn(job, {nameOf(judged.verification) + ": " + warning});
+  else if (const Diagnostic warning = checkTips(read, job.settings.cutter, judged.verification); !warning.empty())
+    warn(job, {Diagnostic(nameOf(judged.verification), ": ", warning)});
   if (passes.all)
     read = passes.all->of(passes.region, read);
   if (passes.all && read.path.empty())
@@ -94,22 +94,22 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, con
   if (cancelled())
     throw Cancelled();
   if (!status.ok())
-    throw FileError(file, inOptions(status.message()));
-  judged.verification.broken = inOptions(brokenLimits(job.limits, judged.verification));
+    throw FileError(file, status.diagnostic());
+  judged.verification.broken = brokenLimits(job.limits, judged.verification);
   if (!job.limits.any() && !judged.verification.program) // the contacts of a program are the judge's own
-    for (const std::string& fault : faultsOfPoses(judged.verification))
+    for (const Diagnostic& fault : faultsOfPoses(judged.verification))
       judged.verification.broken.push_back(fault);
   const double allowed = gougeTolerance(settings.chord_error, reference->noise());
-  for (const std::string& fault :
+  for (const Diagnostic& fault :
        faultsBeside(part, reference->scanned(), judged.path, settings, allowed, judged.verification.removal.warnings))
     judged.verification.broken.push_back(fault);
   if (!job.raw_scan.empty()) {
     const RawScanFigures raw = rawScanFigures(job.raw_scan, job.read, reference->scanned());
     judged.verification.removal.warnings.push_back(smoothingText(raw, job.raw_scan));
-    if (const std::string fault = faultInRaw(raw, judged.path, settings, job.limits.gouge.value_or(allowed)); !fault.empty())
+    if (const Diagnostic fault = faultInRaw(raw, judged.path, settings, job.limits.gouge.value_or(allowed)); !fault.empty())
       judged.verification.broken.push_back(fault);
   }
-  judged.verification.unproven = inOptions(unprovenLimits(job.limits, judged.verification));
+  judged.verification.unproven = unprovenLimits(job.limits, judged.verification);
   return judged;
 }
 
@@ -126,8 +126,8 @@ judgeAndShow(const VerifyJob& job, const JudgedPart& part, const std::string& fi
     printFigures(inScan(judged.verification));
   }
   else
-    for (const std::string& broken : judged.verification.broken)
-      std::cerr << "pcl_spiral_verify: " << inScan(nameOf(judged.verification) + ": " + broken) << '\n';
+    for (const Diagnostic& broken : judged.verification.broken)
+      std::cerr << "pcl_spiral_verify: " << inWords(Diagnostic(nameOf(judged.verification), ": ", broken)) << '\n';
   warn(job, warningsOf(judged.verification));
   outputs.take(part, *reference, judged);
   return judged.verification.broken.empty();

@@ -4,8 +4,8 @@
 #include "judging/judged_scene.h"
 #include "terminal/program_main.h"
 #include "terminal/scan_places.h"
-#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
+#include "terminal/vocabulary.h"
 #include "view/view_job.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -38,8 +38,8 @@ shownPart(const ViewJob& job)
   const JudgedRegion asked{job.part, job.regions, {job.settings.cutter.radius, 0.0}, job.settings.flip_normals, job.settings.threads};
   const JudgedPart part = readParts(job.scan, job.read, job.mesh, job.settings.side, asked).front();
   if (!job.quiet)
-    for (const std::string& warning : part.warnings)
-      std::cerr << "pcl_spiral_view: warning: " << inScan(warning) << '\n';
+    for (const Diagnostic& warning : part.warnings)
+      std::cerr << "pcl_spiral_view: warning: " << inWords(warning) << '\n';
   return part;
 }
 
@@ -82,7 +82,7 @@ judgedScene(const ViewJob& job)
   if (cancelled())
     throw std::runtime_error("cancelled");
   if (!status.ok())
-    throw FileError(job.path, inOptions(status.message()));
+    throw FileError(job.path, status.diagnostic());
   return judgedScene(part.cloud, path, settings, *reference, verification, heights);
 }
 

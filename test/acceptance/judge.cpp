@@ -118,8 +118,8 @@ judge(const Job& job, const Options& options)
   table.note("time", result.seconds, "s");
   for (const StageCost& stage : result.report.stages)
     table.note("  " + stage.name, stage.seconds, "s");
-  for (const std::string& warning : result.report.warnings)
-    table.note("warning", warning);
+  for (const pcl_spiral::Diagnostic& warning : result.report.warnings)
+    table.note("warning", warning.text());
   if (job.may_refuse && !result.status.ok()) {
     table.holds("refused with a reason", result.path.empty() && result.status.message().size() > 40, result.status.message());
     return table.broken();

@@ -69,8 +69,8 @@ printPlaces(const OutlineRow& row, const SpiralReport& report, const OutlineLine
                 : loop.type == LoopType::Inner ? "hole"
                                                : "gap",
                 loop.length, loop.corners.size());
-  for (const std::string& warning : report.warnings)
-    std::printf("    warning: %s\n", warning.c_str());
+  for (const pcl_spiral::Diagnostic& warning : report.warnings)
+    std::printf("    warning: %s\n", warning.text().c_str());
   std::fflush(stdout);
 }
 

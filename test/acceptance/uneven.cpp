@@ -170,8 +170,8 @@ judgeScan(const Job& job, const Scan& scan, const std::vector<Polyline>& outline
   table.holds(job.name + ", " + scan.name + ": a path is made", clean.run.status.ok() && ugly.run.status.ok(),
               clean.run.status.message() + ugly.run.status.message());
   table.note("  time, clean and ugly", std::to_string(clean.run.seconds) + " / " + std::to_string(ugly.run.seconds));
-  for (const std::string& warning : ugly.run.report.warnings)
-    table.note("  warning", warning);
+  for (const pcl_spiral::Diagnostic& warning : ugly.run.report.warnings)
+    table.note("  warning", warning.text());
   if (!ugly.run.status.ok() || !clean.run.status.ok())
     return;
   table.note("  points, used of", std::to_string(ugly.run.report.used_points) + " / " + std::to_string(scan.points.size()));

@@ -84,7 +84,7 @@ pathJson(const RunCase& run, const SpiralReport& report, const pcl::PointCloud<T
           {"longest_move", accuracy.longest_move},
           {"largest_allowed_step", report.largest_allowed_step},
           {"length_ratio", accuracy.length_ratio > 0.0 ? Json(accuracy.length_ratio) : Json()},
-          {"warnings", report.warnings}};
+          {"warnings", textsOf(report.warnings)}};
 }
 
 } // namespace

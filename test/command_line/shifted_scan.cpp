@@ -133,6 +133,26 @@ TEST_F(ShiftedScan, PathIsThatOfTheSamePartNearZero)
   expectSame("feet.csv", "near.csv");
 }
 
+TEST_F(ShiftedScan, ScriptsFindPlacesAndOptionsOfWhatIsSaid)
+{
+  ASSERT_EQ(toolpath({"map.xyz", "--units", "m", "-o", "p.csv"}).code, 0);
+  const RunResult judged =
+      run(PCL_SPIRAL_VERIFY_PROGRAM, Arguments{"map.xyz", "p.csv", "--units", "m", "--max-deviation", "1e-7", "-o", "v.json"} + cutter);
+  EXPECT_EQ(judged.code, 1);
+  const nlohmann::json path = json("v.json").at("paths").at(0), said = path.at("diagnostics").at("broken_limits").at(0);
+  EXPECT_EQ(said.at("text"), path.at("broken_limits").at(0));
+  EXPECT_EQ(said.at("settings"), nlohmann::json({"Limits::deviation"}));
+  expectHas(said.at("text"), "--max-deviation 1e-07 is broken");
+  EXPECT_EQ(said.at("id").get<std::string>().find("{Limits::deviation} {number} is broken: {number} {mm}"), 0U) << said;
+  EXPECT_EQ(said.at("numbers").at(0), 1e-7);
+  const nlohmann::json worst = path.at("deviation").at("max"), at = said.at("places").at(0);
+  EXPECT_EQ(said.at("numbers").at(2), worst.at("index"));
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(at.at(c).get<double>(), worst.at("position").at(c).get<double>(), 1e-6); // in the coordinates of the scan
+  EXPECT_NEAR(at.at(0).get<double>(), place.x(), 1000.0);
+  expectHas(said.at("text"), "(in the file 39377");
+}
+
 TEST_F(ShiftedScan, VerifyNeedsNoOption)
 {
   ASSERT_EQ(toolpath({"map.xyz", "--units", "m", "-o", "p.csv", "-o", "p.pcd", "-o", "p.ply", "-o", "p.vtp"}).code, 0);

@@ -7,7 +7,7 @@
 #include "surface/local_fit.h"
 
 #include <pcl_spiral/cleaning/impl/point_groups.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -300,21 +300,21 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
   return found;
 }
 
-std::string
+Diagnostic
 clustersText(const std::vector<StandingCluster>& clusters, double spacing)
 {
   constexpr std::size_t most_named = 4;
   const Eigen::Vector3d aside(spacing, spacing, 0.0);
   const std::size_t count = clusters.size();
-  std::string list = textOf(count, count == 1 ? " cluster of points stands" : " clusters of points stand", " off the surface: ");
+  Diagnostic list = Diagnostic(count, count == 1 ? " cluster of points stands" : " clusters of points stand", " off the surface: ");
   for (std::size_t i = 0; i < std::min(count, most_named); ++i) {
     const Eigen::AlignedBox3d box = boxOf(clusters[i]);
-    list += textOf(i > 0 ? ", " : "", clusters[i].indices.size(), " points at ", placeText(clusters[i].place), ", ", clusters[i].size,
-                   " mm across and ", clusters[i].height, " mm high, from ", placeText(box.min() - aside), " to ",
-                   placeText(box.max() + aside));
+    list += Diagnostic(i > 0 ? ", " : "", clusters[i].indices.size(), " points at ", Place(clusters[i].place), ", ", clusters[i].size,
+                       " {mm} across and ", clusters[i].height, " {mm} high, from ", Place(box.min() - aside), " to ",
+                       Place(box.max() + aside));
   }
   if (count > most_named)
-    list += textOf(" and ", count - most_named, " more");
+    list += Diagnostic(" and ", count - most_named, " more");
   return list;
 }
 
@@ -325,15 +325,15 @@ refusalOf(const std::vector<StandingCluster>& clusters, double spacing)
   const bool line = std::all_of(clusters.begin(), clusters.end(), [&](const StandingCluster& cluster) { return isLine(cluster, spacing); });
   return {
       StatusCode::InvalidInput,
-      textOf(
+      Diagnostic(
           clustersText(clusters, spacing), "; a path would go through what is there: ",
           line ? "points in one line are an edge of the part that has too few points, or a wire; scan an edge more densely, take off what "
                  "is no part and scan again"
                : "take it off and scan again",
-          ", keep the cutter out of there (addKeepOut), ", line ? "or " : "", "ride over it (setClusterHandling with Ride)",
-          hide ? " with a ball of at least twice its height as radius" : "",
-          line ? "" : ", or leave the points out if they are false echoes (setClusterHandling)",
-          hide ? "; if they stand on a table or on another part, give a place on the part to be machined (setPartAt)" : "")};
+          ", keep the cutter out of there ({addKeepOut}), ", line ? "or " : "",
+          "ride over it ({setClusterHandling(ClusterHandling::Ride)})", hide ? " with a ball of at least twice its height as radius" : "",
+          line ? "" : ", or leave the points out if they are false echoes ({setClusterHandling(ClusterHandling::LeaveOut)})",
+          hide ? "; if they stand on a table or on another part, give a place on the part to be machined ({setPartAt})" : "")};
 }
 
 bool
@@ -367,13 +367,15 @@ checkRideHeight(const std::vector<StandingCluster>& clusters, double radius)
   constexpr double safe = 0.5; // of the radius: 1 - sin(30 degrees)
   for (const StandingCluster& cluster : clusters)
     if (cluster.hides_surface && cluster.height > safe * radius)
-      return {StatusCode::InvalidInput,
-              textOf("the cluster of points at ", placeText(cluster.place), " is ", cluster.height,
-                     " mm high and hides the surface: only its top is seen, and its sides may lean into the way of the ball, which rides "
-                     "over such a thing up to half its radius, ",
-                     safe * radius,
-                     " mm high: take it off and scan again, keep the cutter out of there (addKeepOut), or leave the points out if they are "
-                     "false echoes (setClusterHandling)")};
+      return {
+          StatusCode::InvalidInput,
+          Diagnostic(
+              "the cluster of points at ", Place(cluster.place), " is ", cluster.height,
+              " {mm} high and hides the surface: only its top is seen, and its sides may lean into the way of the ball, which rides "
+              "over such a thing up to half its radius, ",
+              safe * radius,
+              " {mm} high: take it off and scan again, keep the cutter out of there ({addKeepOut}), or leave the points out if they are "
+              "false echoes ({setClusterHandling(ClusterHandling::LeaveOut)})")};
   return Status::success();
 }
 

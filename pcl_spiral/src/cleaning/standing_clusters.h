@@ -11,7 +11,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -41,7 +40,7 @@ StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen
 
 /** "9 clusters of points stand off the surface: 6 points at (1, 2, 3), 10 mm across and 5.4 mm high, from (-3, 0, 2) to (5, 4, 3), ...
  *  and 5 more". The extents are wider by the \p spacing of the scan, mm: a thing ends between its last point and the next one. */
-std::string clustersText(const std::vector<StandingCluster>& clusters, double spacing);
+Diagnostic clustersText(const std::vector<StandingCluster>& clusters, double spacing);
 
 /** Whether a cluster is one point wide, in a scan of this \p spacing: an edge that has too few points, or a wire. Eight points or more,
  *  nine in ten of them with all others within three spacings no more than 0.75 spacings beside one line. */

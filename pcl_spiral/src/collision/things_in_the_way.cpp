@@ -4,7 +4,7 @@
 #include "ball_way.h"
 
 #include <pcl_spiral/cleaning/impl/point_groups.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <limits>
@@ -92,18 +92,18 @@ thingsInTheWay(const pcl::PointCloud<ToolpathPoint>& path, double radius, const 
   return things;
 }
 
-std::string
+Diagnostic
 thingsText(const std::vector<ThingInTheWay>& things)
 {
   constexpr std::size_t most_named = 4;
-  std::string list = textOf(things.size(), things.size() == 1 ? " thing stands in the way: " : " things stand in the way: ");
+  Diagnostic list = Diagnostic(things.size(), things.size() == 1 ? " thing stands in the way: " : " things stand in the way: ");
   for (std::size_t i = 0; i < std::min(things.size(), most_named); ++i) {
     const Eigen::Vector3d size = things[i].box.sizes();
-    list += textOf(i > 0 ? "; " : "", "from ", placeText(things[i].box.min()), " to ", placeText(things[i].box.max()), ", ", size.x(),
-                   " by ", size.y(), " mm");
+    list += Diagnostic(i > 0 ? "; " : "", "from ", Place(things[i].box.min()), " to ", Place(things[i].box.max()), ", ", size.x(), " by ",
+                       size.y(), " {mm}");
   }
   if (things.size() > most_named)
-    list += textOf("; and ", things.size() - most_named, " more");
+    list += Diagnostic("; and ", things.size() - most_named, " more");
   return list;
 }
 

@@ -5,12 +5,12 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <pcl/point_cloud.h>
 
 #include <Eigen/Geometry>
 
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -30,6 +30,6 @@ std::vector<ThingInTheWay> thingsInTheWay(const pcl::PointCloud<ToolpathPoint>& 
                                           const std::vector<Eigen::Vector3f>& points, double allowed, double link);
 
 /** "1 thing stands in the way: from (0, 0, 0) to (10, 12, 8), 10 by 12 mm"; the deepest few, and how many more. */
-std::string thingsText(const std::vector<ThingInTheWay>& things);
+Diagnostic thingsText(const std::vector<ThingInTheWay>& things);
 
 } // namespace pcl_spiral

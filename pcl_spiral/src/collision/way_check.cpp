@@ -4,7 +4,7 @@
 #include "ball_way.h"
 #include "things_in_the_way.h"
 #include <pcl_spiral/collision/impl/false_echoes.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/tool_holder.h>
 
 #include <algorithm>
@@ -30,30 +30,30 @@ upright(const Path& path)
 
 /** The remedy of less tilt, if \p tool has a tilt and \p isFree holds for the upright tool. */
 template <typename IsFree>
-std::string
+Diagnostic
 lessTilt(const Path& path, const WayTool& tool, IsFree isFree)
 {
   if ((!tool.tilted && !tool.led) || !isFree(upright(path)))
     return "";
-  const char* setters = !tool.led ? "setTiltAngle" : !tool.tilted ? "setLeadAngle" : "setTiltAngle, setLeadAngle";
-  return textOf(", or tilt the tool less (", setters, "): upright, it hits nothing");
+  const char* setters = !tool.led ? "{setTiltAngle}" : !tool.tilted ? "{setLeadAngle}" : "{setTiltAngle}, {setLeadAngle}";
+  return Diagnostic(", or tilt the tool less (", setters, "): upright, it hits nothing");
 }
 
 /** What may help, with what is in the way. */
-std::string
+Diagnostic
 remedyOf(const std::vector<ThingInTheWay>& things, bool of_mesh)
 {
-  return thingsText(things) + (of_mesh ? ": take a smaller tool (setToolRadius), or leave that part out of the mesh"
-                                       : ": keep out of each with a polygon that covers it (addKeepOut)");
+  return thingsText(things) + (of_mesh ? ": take a smaller tool ({setToolRadius}), or leave that part out of the mesh"
+                                       : ": keep out of each with a polygon that covers it ({addKeepOut})");
 }
 
 /** What may help where a polygon would cover too much. */
-std::string
+Diagnostic
 otherRemedies(const std::vector<ThingInTheWay>& things, bool of_mesh)
 {
   if (of_mesh || std::none_of(things.begin(), things.end(), [](const ThingInTheWay& thing) { return thing.around; }))
     return "";
-  return ". What is all round the path is often the table: crop the scan inside the rim of the part (setCrop)";
+  return ". What is all round the path is often the table: crop the scan inside the rim of the part ({setCrop})";
 }
 
 /** Whether \p path has contacts on the part itself, not over a gap of it, in one of \p keep_outs. */
@@ -72,11 +72,11 @@ checkKeepOuts(const Path& path, const WayTool& tool, const Surroundings& around,
 {
   if (const auto entry = deepestEntry(path, ballCentres(path, tool.radius), tool.radius, around.keep_outs)) {
     blocked = BlockedWay{BlockedBy::KeepOut, std::max(more * entry->depth, least * tool.spacing), entry->depth > beyond * tool.spacing};
-    const std::string fault = textOf("the ball enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place));
+    const Diagnostic fault = Diagnostic("the ball enters a keep-out by ", entry->depth, " {mm} at ", Place(entry->place));
     if (cutsPartIn(around.keep_outs, path))
-      return {StatusCode::InvalidInput, fault + ": points of the part are in the keep-out; leave them out: PartRegion "
-                                                "gives the indices of those that can be cut"};
-    return {StatusCode::Failed, fault + ": enlarge the polygon there by that much (addKeepOut)"};
+      return {StatusCode::InvalidInput, Diagnostic(fault, ": points of the part are in the keep-out; leave them out: {PartRegion} "
+                                                          "gives the indices of those that can be cut")};
+    return {StatusCode::Failed, Diagnostic(fault, ": enlarge the polygon there by that much ({addKeepOut})")};
   }
   const auto deepest = [&](const Path& any) { return deepestPoint(any, tool.radius, around.kept_out); };
   const auto isFree = [&](const Path& any) {
@@ -88,14 +88,13 @@ checkKeepOuts(const Path& path, const WayTool& tool, const Surroundings& around,
   const BallEntry cut = *deepest(path);
   blocked = BlockedWay{BlockedBy::KeptOut, 0.0, false};
   return {StatusCode::Failed,
-          textOf("the shank, taken as ", shank_radii, " radii long, would cut ", cut.depth, " mm into what stands in a keep-out, at ",
-                 placeText(cut.place), ": enlarge the polygon there by that much (addKeepOut)", lessTilt(path, tool, isFree))};
+          Diagnostic("the shank, taken as ", shank_radii, " radii long, would cut ", cut.depth, " {mm} into what stands in a keep-out, at ",
+                     Place(cut.place), ": enlarge the polygon there by that much ({addKeepOut})", lessTilt(path, tool, isFree))};
 }
 
 /** Refuses what is in the way beside the part, and warns of single points there. */
 Status
-checkBeside(const Path& path, const WayTool& tool, const Surroundings& around, std::optional<BlockedWay>& blocked,
-            std::vector<std::string>& warnings)
+checkBeside(const Path& path, const WayTool& tool, const Surroundings& around, std::optional<BlockedWay>& blocked, Diagnostics& warnings)
 {
   const auto with = [](std::vector<Eigen::Vector3f> some, const std::vector<Eigen::Vector3f>& more_points) {
     some.insert(some.end(), more_points.begin(), more_points.end());
@@ -113,17 +112,17 @@ checkBeside(const Path& path, const WayTool& tool, const Surroundings& around, s
     const Eigen::Vector3d deepest = things.front().place;
     things = inTheWay(path, points);
     if (things.empty()) {
-      warnings.push_back(textOf("the ball or its shank cuts into the scan at ", placeText(deepest),
-                                ", beside what is cut: only single points off the surface are there, usually false echoes"));
+      warnings.push_back(Diagnostic("the ball or its shank cuts into the {scan} at ", Place(deepest),
+                                    ", beside what is cut: only single points off the surface are there, usually false echoes"));
       return Status::success();
     }
   }
   const auto isFree = [&](const Path& any) { return inTheWay(any, points).empty(); };
   blocked = BlockedWay{BlockedBy::Beside, 0.0, false};
   return {StatusCode::Failed,
-          textOf("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth, " mm into the ",
-                 around.of_mesh ? "mesh" : "scan", " at ", placeText(things.front().place), ", beside what is cut. ",
-                 remedyOf(things, around.of_mesh), lessTilt(path, tool, isFree), otherRemedies(things, around.of_mesh))};
+          Diagnostic("the ball or its shank, taken as ", shank_radii, " radii long, would cut ", things.front().depth, " {mm} into the ",
+                     around.of_mesh ? "mesh" : "scan", " at ", Place(things.front().place), ", beside what is cut. ",
+                     remedyOf(things, around.of_mesh), lessTilt(path, tool, isFree), otherRemedies(things, around.of_mesh))};
 }
 
 } // namespace
@@ -139,8 +138,7 @@ holeSizeBeside(double hole_size, const std::vector<Prism>& keep_outs, double rad
 }
 
 Status
-checkWay(const Path& path, const WayTool& tool, const Surroundings& around, std::optional<BlockedWay>& blocked,
-         std::vector<std::string>& warnings)
+checkWay(const Path& path, const WayTool& tool, const Surroundings& around, std::optional<BlockedWay>& blocked, Diagnostics& warnings)
 {
   blocked.reset();
   if (const Status status = checkKeepOuts(path, tool, around, blocked); !status.ok())

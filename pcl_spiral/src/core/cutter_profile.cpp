@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace pcl_spiral {
@@ -18,13 +17,10 @@ constexpr double angle_rounding = 1e-6; // radians: axes and normals often come 
 constexpr double steepest_angle = 89.9; // degrees, of a flank
 constexpr double largest_radius = 1e6;  // mm
 
-std::string
-faultText(const std::string& what, double value, const std::string& remedy)
+Diagnostic
+faultText(const char* what, double value, const char* remedy)
 {
-  std::ostringstream text;
-  text.precision(6);
-  text << what << ' ' << value << remedy;
-  return text.str();
+  return Diagnostic(what, " ", value, remedy);
 }
 
 double
@@ -78,31 +74,31 @@ CutterShape::taperedBullNose(double radius, double corner_radius, double flank_l
   return {radius, corner_radius, flank_length, flank_angle};
 }
 
-std::string
+Diagnostic
 faultOf(const CutterShape& s)
 {
   if (!(s.radius > 0.0) || !(s.radius <= largest_radius))
-    return faultText("the cutter's radius is", s.radius, " mm; set it above 0");
+    return faultText("the cutter's radius is", s.radius, " {mm}; set it above 0");
   if (!(s.flank_angle >= 0.0) || !(s.flank_angle <= steepest_angle))
-    return faultText("the cutter's flank angle is", s.flank_angle, " degrees; set it between 0 and 89.9");
+    return faultText("the cutter's flank angle is", s.flank_angle, " {degrees}; set it between 0 and 89.9");
   if (!(s.flank_length >= 0.0) || !(s.flank_length <= largest_radius))
-    return faultText("the cutter's flank length is", s.flank_length, " mm; set it to 0 or more");
+    return faultText("the cutter's flank length is", s.flank_length, " {mm}; set it to 0 or more");
   const double sine = std::sin(s.flank_angle * degree), cosine = std::cos(s.flank_angle * degree);
   if (flankRadiusOf(s) < -rounding * s.radius)
-    return faultText("the flank is too long, it meets the axis above its lower end: its length is", s.flank_length, " mm") +
-           faultText("; set it to", s.radius / sine, " mm or less, or change the flank angle or the radius");
+    return faultText("the flank is too long, it meets the axis above its lower end: its length is", s.flank_length, " {mm}") +
+           faultText("; set it to", s.radius / sine, " {mm} or less, or change the flank angle or the radius");
   if (!(s.corner_radius >= 0.0) || !(s.corner_radius <= largest_radius))
-    return faultText("the cutter's corner radius is", s.corner_radius, " mm; set it to 0 or more (a tapered ball needs R > L sin alpha)");
+    return faultText("the cutter's corner radius is", s.corner_radius, " {mm}; set it to 0 or more (a tapered ball needs R > L sin alpha)");
   if (flatRadiusOf(s) < -rounding * s.radius)
-    return faultText("the corner reaches across the axis: its radius is", s.corner_radius, " mm") +
-           faultText("; set it to", std::max(0.0, flankRadiusOf(s) / cosine), " mm (a ball end) or less");
-  return std::string();
+    return faultText("the corner reaches across the axis: its radius is", s.corner_radius, " {mm}") +
+           faultText("; set it to", std::max(0.0, flankRadiusOf(s) / cosine), " {mm} (a ball end) or less");
+  return {};
 }
 
 CutterProfile::CutterProfile(const CutterShape& shape) : shape_(shape)
 {
-  if (const std::string fault = faultOf(shape); !fault.empty())
-    throw std::invalid_argument("CutterProfile: " + fault);
+  if (const Diagnostic fault = faultOf(shape); !fault.empty())
+    throw std::invalid_argument("CutterProfile: " + fault.text());
   flank_angle_ = shape.flank_angle * degree;
   sin_angle_ = std::sin(flank_angle_);
   cos_angle_ = std::cos(flank_angle_);

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <sstream>
 
 namespace pcl_spiral {
 namespace {
@@ -67,16 +66,13 @@ Prism::Prism(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d&
   fault_ = findFault(corners);
 }
 
-std::string
+Diagnostic
 Prism::findFault(const std::vector<Eigen::Vector3d>& corners) const
 {
   constexpr double flat_share = 1e-9; // of the squared circumference
   const std::size_t n = corners_.size();
-  std::ostringstream text;
-  if (n < 3) {
-    text << "it has " << n << " different corners, and a polygon has three or more";
-    return text.str();
-  }
+  if (n < 3)
+    return Diagnostic("it has ", n, " different corners, and a polygon has three or more");
   double area = 0.0, around = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     area += 0.5 * cross(corners_[i] - corners_[0], corners_[(i + 1) % n] - corners_[0]);
@@ -84,11 +80,8 @@ Prism::findFault(const std::vector<Eigen::Vector3d>& corners) const
   }
   for (std::size_t i = 0; i + 2 < n; ++i)
     for (std::size_t j = i + 2; j < n; ++j)
-      if (sidesCross(corners_[i], corners_[i + 1], corners_[j], corners_[(j + 1) % n])) {
-        const Eigen::Vector3d& place = corners[std::min(i, corners.size() - 1)];
-        text << "its side from (" << place.x() << ", " << place.y() << ", " << place.z() << ") crosses another side";
-        return text.str();
-      }
+      if (sidesCross(corners_[i], corners_[i + 1], corners_[j], corners_[(j + 1) % n]))
+        return Diagnostic("its side from ", Place(corners[std::min(i, corners.size() - 1)]), " crosses another side");
   if (!(std::abs(area) > flat_share * around * around))
     return "all its corners lie on one line, so it has no area";
   return {};

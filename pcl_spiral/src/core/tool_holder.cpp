@@ -4,37 +4,31 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace pcl_spiral {
 
-std::string
+Diagnostic
 faultOf(const std::vector<ToolSegment>& segments)
 {
   constexpr double largest = 1e6; // mm
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const ToolSegment& s = segments[i];
-    std::ostringstream text;
-    text.precision(6);
-    text << "segment " << i + 1 << " of the holder" << (s.name.empty() ? "" : " (" + s.name + ")");
+    const Diagnostic segment("segment ", i + 1, " of the holder", s.name.empty() ? "" : " (" + s.name + ")");
     if (!(s.length > 0.0) || !(s.length <= largest))
-      text << " is " << s.length << " mm long; set its length above 0";
-    else if (!(s.lower_radius > 0.0) || !(s.lower_radius <= largest))
-      text << " has the lower radius " << s.lower_radius << " mm; set it above 0";
-    else if (!(s.upper_radius > 0.0) || !(s.upper_radius <= largest))
-      text << " has the upper radius " << s.upper_radius << " mm; set it above 0";
-    else
-      continue;
-    return text.str();
+      return Diagnostic(segment, " is ", s.length, " {mm} long; set its length above 0");
+    if (!(s.lower_radius > 0.0) || !(s.lower_radius <= largest))
+      return Diagnostic(segment, " has the lower radius ", s.lower_radius, " {mm}; set it above 0");
+    if (!(s.upper_radius > 0.0) || !(s.upper_radius <= largest))
+      return Diagnostic(segment, " has the upper radius ", s.upper_radius, " {mm}; set it above 0");
   }
-  return std::string();
+  return {};
 }
 
 HolderProfile::HolderProfile(const std::vector<ToolSegment>& segments, double base, double cutter_radius, double clearance)
 {
-  if (const std::string fault = faultOf(segments); !fault.empty())
-    throw std::invalid_argument("HolderProfile: " + fault);
+  if (const Diagnostic fault = faultOf(segments); !fault.empty())
+    throw std::invalid_argument("HolderProfile: " + fault.text());
   if (!(clearance >= 0.0) || !std::isfinite(clearance))
     throw std::invalid_argument("HolderProfile: the clearance must not be negative");
   double height = base, below = cutter_radius;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cloud_ground.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/cutter/impl/holder_collision.h>
 
 #include <algorithm>
@@ -172,9 +172,9 @@ Status
 CloudGround::check() const
 {
   if (options_.evaluation != LocationEvaluation::Points && !surface_.hasSurface())
-    return {surface_.whyNone().code(), surface_.whyNone().message() +
-                                           "; without a surface, cutters can be located only on the points (as "
-                                           "LocationEvaluation::Points), with no limit on how far they sink between the points"};
+    return {surface_.whyNone().code(), Diagnostic(surface_.whyNone().diagnostic(),
+                                                  "; without a surface, cutters can be located only on the points (as "
+                                                  "{LocationEvaluation::Points}), with no limit on how far they sink between the points")};
   return Status::success();
 }
 
@@ -192,15 +192,15 @@ CloudGround::describe(const ToolLocations&, LocationFigures& f) const
   const std::size_t asked = f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
   if (asked > 0 && surface_.hasSurface() && surface_.surface().fitNoise() > options_.tolerance)
     f.warnings.push_back(
-        textOf("because of noise the surface of the scan is known to only ", surface_.surface().fitNoise(),
-               " mm, more than the contact tolerance of ", options_.tolerance,
-               " mm: contacts may be reported as lifted or clear only because of noise; raise the tolerance to three times "
-               "this error"));
+        Diagnostic("because of noise the surface of the scan is known to only ", surface_.surface().fitNoise(),
+                   " {mm}, more than the contact tolerance of ", options_.tolerance,
+                   " {mm}: contacts may be reported as lifted or clear only because of noise; raise the tolerance to three times "
+                   "this error"));
   if (f.stray_points > 0)
-    f.warnings.push_back(textOf(f.stray_points, " points of the scan are isolated outliers; the cutter stays clear of "
-                                                "them too: remove them first if they are false echoes (StrayRemoval)"));
+    f.warnings.push_back(Diagnostic(f.stray_points, " points of the scan are isolated outliers; the cutter stays clear of "
+                                                    "them too: remove them first if they are false echoes ({StrayRemoval})"));
   if (!surface_.hasSurface())
-    f.warnings.push_back("the points form no surface, so the rim of the scan is not known: " + surface_.whyNone().message());
+    f.warnings.push_back(Diagnostic("the points form no surface, so the rim of the scan is not known: ", surface_.whyNone().diagnostic()));
 }
 
 } // namespace pcl_spiral

@@ -2,7 +2,7 @@
 #include "location_thinning.h"
 
 #include "common/available_memory.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 
@@ -98,8 +98,9 @@ private:
     const std::optional<double> free_bytes = availableMemory();
     if (static_cast<double>(locations) <= most_path_points && (!free_bytes || bytes <= *free_bytes))
       return Status::success();
-    return {StatusCode::InvalidArgument, textOf("a tolerance of ", settings_.tolerance, " mm between locations needs more than ", locations,
-                                                " locations, ", bytes / 1e9, " GB: raise the tolerance, or set passes farther apart")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("a tolerance of ", settings_.tolerance, " {mm} between locations needs more than ", locations, " locations, ",
+                       bytes / 1e9, " GB: raise the tolerance, or set passes farther apart")};
   }
 
   const ToolLocation& from(const OpenMove& move) const { return open_[move.pass].locations[move.from]; }
@@ -214,9 +215,9 @@ bisectLocations(const CutterLocationEngine& locator, const BisectionSettings& se
                 std::vector<ToolLocations>& passes, BisectionFigures& figures)
 {
   if (!(settings.tolerance > 0.0) || !std::isfinite(settings.tolerance))
-    return {StatusCode::InvalidArgument, textOf("the tolerance between locations is ", settings.tolerance, " mm; set it above 0")};
+    return {StatusCode::InvalidArgument, Diagnostic("the tolerance between locations is ", settings.tolerance, " {mm}; set it above 0")};
   if (settings.most_halvings < 1 || settings.most_halvings > 30)
-    return {StatusCode::InvalidArgument, textOf("the limit of halvings is ", settings.most_halvings, "; set it between 1 and 30")};
+    return {StatusCode::InvalidArgument, Diagnostic("the limit of halvings is ", settings.most_halvings, "; set it between 1 and 30")};
   Bisection bisection(locator, settings, passes);
   if (const Status status = bisection.run(progress); !status.ok())
     return status;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "location_ground.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/cutter/impl/cutter_location_engine.h>
 
 #include <cmath>
@@ -42,41 +42,41 @@ CutterLocationEngine::figures(const ToolLocations& locations) const
     else if (location.basis != LocationBasis::AskedContact)
       ++f.unbounded;
   }
-  const auto warn = [&](std::size_t count, const std::string& what) {
+  const auto warn = [&](std::size_t count, const Diagnostic& what) {
     if (count > 0)
-      f.warnings.push_back(textOf(count, " of ", locations.size(), " locations ", what));
+      f.warnings.push_back(Diagnostic(count, " of ", locations.size(), " locations ", what));
   };
   warn(f.count(LocationState::NoCloud),
-       textOf("have no ", ground_->item(), " of the ", ground_->name(), " under the cutter: they have no height"));
+       Diagnostic("have no ", ground_->item(), " of the ", ground_->name(), " under the cutter: they have no height"));
   constexpr double touched = 1e-3; // mm
-  warn(f.over_rim,
-       textOf("are partly beyond the rim of the ", ground_->name(), " or over a gap in it, ",
-              f.least_rim_clearance < touched ? std::string("at its height") : textOf("at least ", f.least_rim_clearance, " mm above it"),
-              ": the part may be higher there, which is not known"));
+  warn(f.over_rim, Diagnostic("are partly beyond the rim of the ", ground_->name(), " or over a gap in it, ",
+                              f.least_rim_clearance < touched ? Diagnostic("at its height")
+                                                              : Diagnostic("at least ", f.least_rim_clearance, " {mm} above it"),
+                              ": the part may be higher there, which is not known"));
   warn(f.unbounded, "rest on single points, with no limit on how far the cutter sinks between them");
-  warn(f.count(LocationBasis::PointsAndBound), textOf("are raised by up to ", f.largest_gap_bound,
-                                                      " mm above single points, the most that the cutter could "
-                                                      "sink between them: there was no reliable fitted surface"));
+  warn(f.count(LocationBasis::PointsAndBound), Diagnostic("are raised by up to ", f.largest_gap_bound,
+                                                          " {mm} above single points, the most that the cutter could "
+                                                          "sink between them: there was no reliable fitted surface"));
   warn(f.count(LocationState::Unreachable), "have a given contact that overhangs the cutter's flank");
   if (f.collisions > 0) {
     const HolderCollision& worst = locations[f.most_collided].collision;
-    warn(f.collisions, textOf("have a collision of the ", worst.part == ToolPart::Holder ? "holder" : "cutter", " with the ",
-                              ground_->name(), ", at most ", worst.depth, " mm deep, clearance included: ", nameOf(worst, options_.holder),
-                              " of location ", f.most_collided, " at ", placeText(worst.place),
-                              "; lengthen the tool, lean the axis away, or allow it "
-                              "to be tilted"));
+    warn(f.collisions, Diagnostic("have a collision of the ", worst.part == ToolPart::Holder ? "holder" : "cutter", " with the ",
+                                  ground_->name(), ", at most ", worst.depth, " {mm} deep, clearance included: ",
+                                  nameOf(worst, options_.holder), " of location ", f.most_collided, " at ", Place(worst.place),
+                                  "; lengthen the tool, lean the axis away, or allow it "
+                                  "to be tilted"));
   }
   if (f.under_scan > 0)
     warn(f.under_scan,
-         textOf("are below more of the ", ground_->name(), ", above the end of the tool, which is ", options_.tool_length,
-                " mm long; the first is location ", f.first_under_scan, ", its tip at ", placeText(locations[f.first_under_scan].tip),
-                ": what holds the tool is not checked there; add it to the holder, or raise the ceiling: the cutter is then "
-                "lifted over it"));
+         Diagnostic("are below more of the ", ground_->name(), ", above the end of the tool, which is ", options_.tool_length,
+                    " {mm} long; the first is location ", f.first_under_scan, ", its tip at ", Place(locations[f.first_under_scan].tip),
+                    ": what holds the tool is not checked there; add it to the holder, or raise the ceiling: the cutter is then "
+                    "lifted over it"));
   ground_->describe(locations, f);
   return f;
 }
 
-std::string
+Diagnostic
 nameOf(const HolderCollision& collision, const std::vector<ToolSegment>& holder)
 {
   if (collision.part == ToolPart::Cutter)
@@ -85,7 +85,7 @@ nameOf(const HolderCollision& collision, const std::vector<ToolSegment>& holder)
     return "a shank as wide as the cutter";
   const auto segment = static_cast<std::size_t>(collision.segment);
   const std::string& name = holder.at(segment).name;
-  return name.empty() ? textOf("segment ", segment + 1, " of the holder") : name;
+  return name.empty() ? Diagnostic("segment ", segment + 1, " of the holder") : Diagnostic(name);
 }
 
 const char*

@@ -3,7 +3,7 @@
 
 #include "mesh_collision.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ MeshGround::check() const
   if (options_.evaluation == LocationEvaluation::PointsAndBound)
     return {StatusCode::InvalidArgument,
             "locations by points and bound were set for a mesh, which has no gaps between points: set the evaluation to "
-            "LocationEvaluation::FittedSurface, for the curved surface, or to Points, for the faces as they are (setEvaluation)"};
+            "{LocationEvaluation::FittedSurface}, for the curved surface, or to Points, for the faces as they are ({setEvaluation})"};
   return Status::success();
 }
 
@@ -154,9 +154,9 @@ MeshGround::describe(const ToolLocations& locations, LocationFigures& f) const
   const auto most =
       std::max_element(locations.begin(), locations.end(), [&](const ToolLocation& a, const ToolLocation& b) { return lift(a) < lift(b); });
   if (const std::size_t lifted = f.count(LocationState::Lifted); lifted > 0)
-    f.warnings.push_back(textOf(lifted, " of ", locations.size(), " locations are lifted off their given contact, the most by ", most->lift,
-                                " mm: location ", most - locations.begin(), ", held at ", placeText(most->contact),
-                                "; material is left there: use a smaller cutter, or allow the axis to be tilted"));
+    f.warnings.push_back(Diagnostic(lifted, " of ", locations.size(), " locations are lifted off their given contact, the most by ",
+                                    most->lift, " {mm}: location ", most - locations.begin(), ", held at ", Place(most->contact),
+                                    "; material is left there: use a smaller cutter, or allow the axis to be tilted"));
 }
 
 } // namespace pcl_spiral

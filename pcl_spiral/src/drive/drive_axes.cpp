@@ -3,7 +3,7 @@
 #include "drive_kinds.h"
 
 #include "search/neighbour_search.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <Eigen/Eigenvalues>
@@ -36,10 +36,10 @@ setRadial(const DriveColumn& column, const Pointers& points)
     const Vector3d x = p->position - column.cylinder.origin, d = column.cylinder.direction;
     p->axis = x - d * d.dot(x);
     if (!(p->axis.norm() > least))
-      return {StatusCode::InvalidInput, "the drive point " + placeText(p->position) +
-                                            " lies on the axis of the drive cylinder, so no direction "
-                                            "leads away from that axis; move the cylinder's "
-                                            "axis, or choose another axis mode"};
+      return {StatusCode::InvalidInput, Diagnostic("the drive point ", Place(p->position),
+                                                   " lies on the axis of the drive cylinder, so no direction "
+                                                   "leads away from that axis; move the cylinder's "
+                                                   "axis, or choose another axis mode")};
     p->axis.normalize();
   }
   return Status::success();
@@ -159,15 +159,16 @@ setSurfaceNormals(const SurfaceGraph& graph, const Pointers& points, const Progr
   const std::uint8_t* of_pass = known.data();
   for (DrivePass& pass : passes) {
     if (std::none_of(of_pass, of_pass + pass.points.size(), [](std::uint8_t k) { return k != 0; }))
-      return {StatusCode::InvalidInput, "no surface was found next to the pass that begins at " + placeText(pass.points.front().position) +
-                                            ", so its axes cannot be surface normals; move it onto the scan, or choose another axis mode"};
+      return {StatusCode::InvalidInput,
+              Diagnostic("no surface was found next to the pass that begins at ", Place(pass.points.front().position),
+                         ", so its axes cannot be surface normals; move it onto the scan, or choose another axis mode")};
     report.axes_from_neighbours += fillAxes(pass, of_pass);
     of_pass += pass.points.size();
   }
   if (report.axes_from_neighbours > 0)
-    report.warnings.push_back(textOf(report.axes_from_neighbours, " of ", points.size(),
-                                     " drive points have no surface next to them; their axes are interpolated from those before "
-                                     "and after"));
+    report.warnings.push_back(Diagnostic(report.axes_from_neighbours, " of ", points.size(),
+                                         " drive points have no surface next to them; their axes are interpolated from those before "
+                                         "and after"));
   return Status::success();
 }
 

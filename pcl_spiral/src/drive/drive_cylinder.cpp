@@ -3,7 +3,7 @@
 #include <pcl_spiral/drive/impl/drive_cylinder.h>
 
 #include "core/revolution_axis.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -29,11 +29,11 @@ areaAt(const SurfaceGraph& graph, std::size_t i)
 }
 
 Status
-noColumn(const std::string& why)
+noColumn(const Diagnostic& why)
 {
-  return {StatusCode::InvalidInput, "the part is not shaped like a column: " + why +
-                                        "; remove what does not belong to the column, give its axis "
-                                        "(setCylinder), or choose section planes"};
+  return {StatusCode::InvalidInput, Diagnostic("the part is not shaped like a column: ", why,
+                                               "; remove what does not belong to the column, give its axis "
+                                               "({setCylinder}), or choose section planes")};
 }
 
 /** Share of the area that faces along the axis and not away from it. */
@@ -66,12 +66,12 @@ fitCylinder(const SurfaceGraph& graph, DriveColumn& column)
   if (axis->uncertainty > most_uncertainty)
     return noColumn("its normals do not define an axis, as on a sphere or a plate");
   if (axis->radial < least_radial)
-    return noColumn(textOf("for the best axis, ", placeText(axis->direction), ", the radial share of its normals is only ", axis->radial,
-                           ", but at least ", least_radial, " is needed"));
+    return noColumn(Diagnostic("for the best axis, ", Direction(axis->direction), ", the radial share of its normals is only ",
+                               axis->radial, ", but at least ", least_radial, " is needed"));
   if (axis->turning > most_turning)
-    return noColumn(textOf("for the best axis, ", placeText(axis->direction), ", its normals differ from the radial direction by ",
-                           std::asin(std::min(1.0, axis->turning)) * in_degrees, " degrees (rms), but at most ",
-                           std::asin(most_turning) * in_degrees, " are allowed"));
+    return noColumn(Diagnostic("for the best axis, ", Direction(axis->direction), ", its normals differ from the radial direction by ",
+                               std::asin(std::min(1.0, axis->turning)) * in_degrees, " {degrees} (rms), but at most ",
+                               std::asin(most_turning) * in_degrees, " are allowed"));
   column.cylinder.origin = axis->origin;
   column.cylinder.direction = axis->direction;
   double square = 0.0, whole = 0.0;
@@ -85,7 +85,7 @@ fitCylinder(const SurfaceGraph& graph, DriveColumn& column)
   }
   column.normal_miss = std::sqrt(square / whole);
   if (const double share = shareFacingAlong(graph, column.cylinder); share > most_facing_along)
-    return noColumn(textOf(100.0 * share, " % of its area faces along the best axis, ", placeText(axis->direction)));
+    return noColumn(Diagnostic(100.0 * share, " % of its area faces along the best axis, ", Direction(axis->direction)));
   return Status::success();
 }
 
@@ -175,8 +175,9 @@ checkCylinder(const DriveCylinder& c)
   if (!(c.direction.norm() > 1e-9))
     return {StatusCode::InvalidArgument, "the axis of the drive cylinder has no length; set its direction"};
   if (c.last < c.first)
-    return {StatusCode::InvalidArgument, textOf("the drive cylinder runs from ", c.first, " to ", c.last,
-                                                " mm along its axis; set the last end above the first, or both to 0 for the whole scan")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the drive cylinder runs from ", c.first, " to ", c.last,
+                       " {mm} along its axis; set the last end above the first, or both to 0 for the whole scan")};
   return Status::success();
 }
 
@@ -192,13 +193,13 @@ findColumn(const SurfaceGraph& graph, const std::optional<DriveCylinder>& given,
   else if (const Status status = fitCylinder(graph, column); !status.ok())
     return status;
   if (!measure(graph, column) || !(column.radius > 0.0))
-    return {StatusCode::InvalidInput, textOf("no point of the part lies between ", column.cylinder.first, " and ", column.cylinder.last,
-                                             " mm along the axis of the drive cylinder from ", placeText(column.cylinder.origin),
-                                             "; set its ends to enclose the surface")};
+    return {StatusCode::InvalidInput, Diagnostic("no point of the part lies between ", column.cylinder.first, " and ", column.cylinder.last,
+                                                 " {mm} along the axis of the drive cylinder from ", Place(column.cylinder.origin),
+                                                 "; set its ends to enclose the surface")};
   measureSector(graph, column);
   if (column.fitted && column.covered_angle < least_covered)
-    return noColumn(textOf("it covers only ", column.covered_angle, " degrees about the best axis, ", placeText(column.cylinder.direction),
-                           ", but at least ", least_covered, " are needed"));
+    return noColumn(Diagnostic("it covers only ", column.covered_angle, " {degrees} about the best axis, ",
+                               Direction(column.cylinder.direction), ", but at least ", least_covered, " are needed"));
   return Status::success();
 }
 

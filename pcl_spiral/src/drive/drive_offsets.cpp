@@ -5,7 +5,7 @@
 #include "level_islands.h"
 
 #include "geodesic/distance_field.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
 #include <algorithm>
@@ -99,10 +99,10 @@ planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const Prog
   const auto open =
       static_cast<std::size_t>(std::count_if(passes.begin(), passes.end(), [](const DrivePass& pass) { return !pass.closed; }));
   if (open > 0)
-    report.warnings.push_back(textOf(open, " of ", passes.size(),
-                                     " lines are interrupted: by holes in the scan, or by its rim "
-                                     "if that is more ragged than half a step-over, ",
-                                     0.5 * steps.step, " mm"));
+    report.warnings.push_back(Diagnostic(open, " of ", passes.size(),
+                                         " lines are interrupted: by holes in the scan, or by its rim "
+                                         "if that is more ragged than half a step-over, ",
+                                         0.5 * steps.step, " {mm}"));
   return Status::success();
 }
 

@@ -5,7 +5,7 @@
 
 #include "drive_kinds.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/impl/mls_surface.h>
 #include <pcl_spiral/surface/impl/smoothing_remedy.h>
 
@@ -60,9 +60,9 @@ warnOfScatter(const Surface& surface, const DriveSettings& settings, DriveReport
   if (settings.kind != DriveKind::Planes && settings.kind != DriveKind::BoundaryOffset)
     return;
   if (const double noise = surface.noise(); noise > much * surface.spacing())
-    report.warnings.push_back(textOf("the noise of the points is ", noise, " mm (standard deviation), at a spacing of ", surface.spacing(),
-                                     " mm: passes are ragged, and interrupted where layers overlap; ",
-                                     smoothingRemedy(noise, surface.spacing())));
+    report.warnings.push_back(Diagnostic("the noise of the points is ", noise, " {mm} (standard deviation), at a spacing of ",
+                                         surface.spacing(), " {mm}: passes are ragged, and interrupted where layers overlap; ",
+                                         smoothingRemedy(noise, surface.spacing())));
 }
 
 } // namespace
@@ -108,8 +108,8 @@ planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const
   if (const Status status = planPasses(surface.get(), settings, partOf(progress, 0.0, 0.5), passes, report); !status.ok())
     return status;
   if (passes.empty())
-    return {StatusCode::Failed, textOf("no line on the scan is longer than the spacing of its points, ", graph.spacing(),
-                                       " mm; lower the step-over, ", report.step_over, " mm, or scan more densely")};
+    return {StatusCode::Failed, Diagnostic("no line on the scan is longer than the spacing of its points, ", graph.spacing(),
+                                           " {mm}; lower the step-over, ", report.step_over, " {mm}, or scan more densely")};
   if (!told(0.5, "axes"))
     return cancelled();
   if (const Status status = setAxes(graph, settings, partOf(progress, 0.5, 1.0), passes, report); !status.ok())

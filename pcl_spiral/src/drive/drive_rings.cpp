@@ -2,7 +2,7 @@
 // Helix, rings and arcs about the axis of a column.
 #include "drive_kinds.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/drive/impl/drive_cylinder.h>
 
@@ -76,8 +76,8 @@ planRings(const DriveSettings& settings, DrivePasses& passes, DriveReport& repor
   const bool sector = column.covered_angle < 360.0;
   if (sector && settings.kind == DriveKind::Helix)
     return {StatusCode::InvalidInput,
-            textOf("the part covers only ", column.covered_angle, " degrees about the axis of the column, from ", column.first_angle,
-                   " on: a helix would leave the part in every turn; choose rings, which become arcs")};
+            Diagnostic("the part covers only ", column.covered_angle, " {degrees} about the axis of the column, from ", column.first_angle,
+                       " on: a helix would leave the part in every turn; choose rings, which become arcs")};
   const double first = column.cylinder.first - settings.overrun, last = column.cylinder.last + settings.overrun;
   const double height = last - first, around = 2.0 * pi * column.radius;
   const double lines = height / settings.step_over + 2.0;

@@ -6,7 +6,6 @@
 #include "rim_reach.h"
 #include "scan_links.h"
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/drive/impl/drive_cylinder.h>
 

@@ -3,7 +3,7 @@
 #include "drive_kinds.h"
 
 #include "common/available_memory.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 
 #include <algorithm>
@@ -30,14 +30,13 @@ checkDriveSize(double points, double crossings, const DriveSettings& settings)
   if (!too_many && !(memory && bytes > *memory))
     return Status::success();
   return {StatusCode::InvalidArgument,
-          textOf("this drive path would be too large: about ", points, " points and ", bytes / 1e9, " GB of memory, but at most ",
-                 most_path_points, " points are possible") +
-              (memory ? textOf(" and ", *memory / 1e9, " GB are free") : std::string()) +
-              "; is the part in another unit than mm? Otherwise raise " +
-              (settings.kind == DriveKind::Curve  ? std::string()
-               : settings.rows == DriveRows::Kept ? textOf("the scallop height (", settings.scallop_height, " mm) or ")
-                                                  : textOf("the step-over (", settings.step_over, " mm) or ")) +
-              textOf("the spacing of points (", settings.point_spacing, " mm)")};
+          Diagnostic("this drive path would be too large: about ", points, " points and ", bytes / 1e9, " GB of memory, but at most ",
+                     most_path_points, " points are possible", (memory ? Diagnostic(" and ", *memory / 1e9, " GB are free") : Diagnostic()),
+                     "; is the part in another unit than {mm} ({ReadOptions::unit})? Otherwise raise ",
+                     (settings.kind == DriveKind::Curve  ? Diagnostic()
+                      : settings.rows == DriveRows::Kept ? Diagnostic("the scallop height (", settings.scallop_height, " {mm}) or ")
+                                                         : Diagnostic("the step-over (", settings.step_over, " {mm}) or ")),
+                     "the spacing of points (", settings.point_spacing, " {mm})")};
 }
 
 DrivePass

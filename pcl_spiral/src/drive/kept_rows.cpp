@@ -3,7 +3,7 @@
 
 #include "core/profile_rows.h"
 #include "drive_kinds.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <array>
@@ -61,12 +61,12 @@ placesOf(const SurfaceGraph& graph, double edge)
 void
 warnOfFloor(const DriveSettings& settings, double floor, const Vector3d& narrowest, DriveReport& report)
 {
-  report.warnings.push_back(textOf("on ", 100.0 * report.held_share, " % of the surface the scallop height of ", settings.scallop_height,
-                                   " mm needs rows closer than ", floor, " mm, the least distance allowed; the closest at ",
-                                   placeText(narrowest),
-                                   ": ridges there are higher; turn the planes across steep walls "
-                                   "(setPlaneDirection), or take a smaller cutter "
-                                   "if a hollow is hardly wider than the cutter"));
+  report.warnings.push_back(Diagnostic("on ", 100.0 * report.held_share, " % of the surface the scallop height of ",
+                                       settings.scallop_height, " {mm} needs rows closer than ", floor,
+                                       " {mm}, the least distance allowed; the closest at ", Place(narrowest),
+                                       ": ridges there are higher; turn the planes across steep walls "
+                                       "({setPlaneDirection}), or take a smaller cutter "
+                                       "if a hollow is hardly wider than the cutter"));
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 #include "drive_kinds.h"
 
 #include "mesh/mesh_feet.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/drive/impl/drive_cylinder.h>
 #include <pcl_spiral/drive/impl/drive_path_engine.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
@@ -87,8 +87,8 @@ planMeshSections(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& setting
   sections.compute(passes);
   takeReport(sections.getReport(), report);
   if (report.facing_away > 0)
-    report.warnings.push_back(textOf(report.facing_away, " contacts face away from the tool axis ", placeText(settings.axis),
-                                     ", and were left out; passes are interrupted there"));
+    report.warnings.push_back(Diagnostic(report.facing_away, " contacts face away from the tool axis ", Direction(settings.axis),
+                                         ", and were left out; passes are interrupted there"));
   return sections.getStatus();
 }
 
@@ -132,11 +132,11 @@ planMeshDrive(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, 
 {
   if (settings.kind == DriveKind::BoundaryOffset)
     return {StatusCode::InvalidArgument,
-            "offsets of the boundary run over the points of a scan, not over a mesh: call setKind(DriveKind::Planes), "
-            "or give the mesh's vertices as a cloud (setInputCloud)"};
+            "offsets of the boundary run over the points of a scan, not over a mesh: call {setKind}({DriveKind::Planes}), "
+            "or give the mesh's vertices as a cloud ({setInputCloud})"};
   if (settings.rows == DriveRows::Kept && settings.cutter && !hasBallEnd(*settings.cutter))
     return {StatusCode::InvalidArgument, "on a mesh only a ball keeps rows to a scallop height: give the mesh's vertices as a cloud "
-                                         "(setInputCloud), or take even rows (setRows, setStepOver)"};
+                                         "({setInputCloud}), or take even rows ({setRows}, {setStepOver})"};
   if (settings.kind != DriveKind::Planes) {
     Surface::ConstPtr surface;
     if (settings.needsSurface())

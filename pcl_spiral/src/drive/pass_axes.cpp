@@ -2,7 +2,7 @@
 #include "pass_axes.h"
 
 #include "core/smooth_axes.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
@@ -19,14 +19,14 @@ Status
 check(const PassAxisSettings& s)
 {
   if (!(s.smoothing_length >= 0.0) || !std::isfinite(s.smoothing_length))
-    return {StatusCode::InvalidArgument,
-            textOf("the smoothing length is ", s.smoothing_length, " mm; set it above 0, or 0 for no smoothing (setAxisSmoothing)")};
+    return {StatusCode::InvalidArgument, Diagnostic("the smoothing length is ", s.smoothing_length,
+                                                    " {mm}; set it above 0, or 0 for no smoothing ({setAxisSmoothing})")};
   if (!(s.max_rate >= 0.0) || !std::isfinite(s.max_rate))
     return {StatusCode::InvalidArgument,
-            textOf("the axis rate is ", s.max_rate, " degrees per mm; set it above 0, or 0 for no limit (setMaxAxisRate)")};
+            Diagnostic("the axis rate is ", s.max_rate, " {degrees} per {mm}; set it above 0, or 0 for no limit ({setMaxAxisRate})")};
   if (!(s.max_deviation > 0.0) || !(s.largest_deviation > 0.0))
-    return {StatusCode::InvalidArgument, textOf("the deviations allowed are ", s.max_deviation, " degrees on average and ",
-                                                s.largest_deviation, " at a point; set them above 0")};
+    return {StatusCode::InvalidArgument, Diagnostic("the deviations allowed are ", s.max_deviation, " {degrees} on average and ",
+                                                    s.largest_deviation, " at a point; set them above 0")};
   return Status::success();
 }
 
@@ -88,13 +88,13 @@ smoothPassAxes(const PassAxisSettings& settings, DrivePasses& passes, PassAxisRe
     axes.push_back(std::move(found.axes));
   }
   if (report.largest_deviation > settings.largest_deviation)
-    return {StatusCode::InvalidArgument, textOf("setMaxAxisRate ", settings.max_rate, ", setAxisSmoothing ", settings.smoothing_length,
-                                                ": axes would lean ", report.largest_deviation,
-                                                " degrees from the requested axes and would not cover the surface; raise "
-                                                "the rate, or use a shorter smoothing length")};
+    return {StatusCode::InvalidArgument, Diagnostic("{setMaxAxisRate} ", settings.max_rate, ", {setAxisSmoothing} ",
+                                                    settings.smoothing_length, ": axes would lean ", report.largest_deviation,
+                                                    " {degrees} from the requested axes and would not cover the surface; raise "
+                                                    "the rate, or use a shorter smoothing length")};
   if (report.largest_deviation > least_warned)
     report.warnings.push_back(
-        textOf("smoothing and the rate limit turn axes by up to ", report.largest_deviation, " degrees from the requested axes"));
+        Diagnostic("smoothing and the rate limit turn axes by up to ", report.largest_deviation, " {degrees} from the requested axes"));
   for (std::size_t k = 0; k < passes.size(); ++k)
     for (std::size_t i = 0; i < passes[k].points.size(); ++i)
       turn(passes[k].points[i], axes[k][i], settings.stand_off);

@@ -8,8 +8,6 @@
 #include <pcl_spiral/common/status.h>
 
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace pcl_spiral {
 
@@ -25,7 +23,7 @@ struct PassAxisSettings {
 /** What smoothing cost. */
 struct PassAxisReport {
   double largest_deviation = 0.0; ///< from the axes asked for, degrees
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
 };
 
 /** Distance of the spot of a beam from drive point \p p along the axis: the point is \p stand_off above the surface, along the normal. */

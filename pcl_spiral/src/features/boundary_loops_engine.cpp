@@ -2,8 +2,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
-#include "common/formatted_text.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include "boundary_walk.h"
 #include "loop_rings.h"
@@ -17,7 +16,6 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <string>
 
 namespace pcl_spiral {
 namespace {
@@ -26,28 +24,25 @@ Status
 checkOptions(const SurfaceGraph& graph, const BoundaryOptions& options)
 {
   if (!(options.min_hole_length >= 0.0) || !std::isfinite(options.min_hole_length))
-    return {StatusCode::InvalidArgument, formatted("the shortest length of a hole is %g; set it above 0, or to 0 for "
-                                                   "an eighth of the outer boundary",
-                                                   options.min_hole_length)};
+    return {StatusCode::InvalidArgument, Diagnostic("the shortest length of a hole is ", options.min_hole_length,
+                                                    "; set it above 0, or to 0 for an eighth of the outer boundary")};
   if (!(options.min_hole_width >= 0.0) || !std::isfinite(options.min_hole_width))
     return {StatusCode::InvalidArgument,
-            formatted("the least width of a hole is %g; set it above 0, or to 0 to have it found", options.min_hole_width)};
+            Diagnostic("the least width of a hole is ", options.min_hole_width, "; set it above 0, or to 0 to have it found")};
   if (!(options.largest_gap >= 0.0) || !(options.shortest_loop >= 0.0))
-    return {StatusCode::InvalidArgument, formatted("the largest gap is %g spacings, the shortest loop %g; set both "
-                                                   "to 0 or more",
-                                                   options.largest_gap, options.shortest_loop)};
+    return {StatusCode::InvalidArgument, Diagnostic("the largest gap is ", options.largest_gap, " spacings, the shortest loop ",
+                                                    options.shortest_loop, "; set both to 0 or more")};
   if (!(options.largest_left_out >= 0.0 && options.largest_left_out <= 1.0))
     return {StatusCode::InvalidArgument,
-            formatted("the share of a part that may be left out is %g; set it between 0 and 1", options.largest_left_out)};
+            Diagnostic("the share of a part that may be left out is ", options.largest_left_out, "; set it between 0 and 1")};
   if (!(options.max_turn > 0.0 && options.max_turn <= 180.0))
     return {StatusCode::InvalidArgument,
-            formatted("the largest turn of the walk is %g degrees; set it above 0, at most to 180", options.max_turn)};
+            Diagnostic("the largest turn of the walk is ", options.max_turn, " {degrees}; set it above 0, at most to 180")};
   if (options.marked.empty())
     return Status::success();
   if (options.marked.size() != graph.size())
-    return {StatusCode::InvalidInput,
-            formatted("there are %.0f boundary flags for %.0f points; give one flag per point, or none to have the boundary found",
-                      static_cast<double>(options.marked.size()), static_cast<double>(graph.size()))};
+    return {StatusCode::InvalidInput, Diagnostic("there are ", options.marked.size(), " boundary flags for ", graph.size(),
+                                                 " points; give one flag per point, or none to have the boundary found")};
   if (std::count(options.marked.begin(), options.marked.end(), 0) == static_cast<std::ptrdiff_t>(graph.size()))
     return {StatusCode::InvalidInput, "no point is marked as boundary; lower the threshold that marks points, or give no "
                                       "flags to have the boundary found"};
@@ -89,9 +84,9 @@ checkWidth(const SurfaceGraph& graph, const std::vector<Ring>& rings)
   for (const Ring& ring : rings)
     if (const double length = ringLength(graph, ring); length > graph.blocks().box().diagonal())
       return {StatusCode::InvalidInput,
-              textOf("the surface is too narrow for the spacing of its points: its boundary at ", placeText(graph.position(ring.front())),
-                     ", ", length, " mm long, encloses only ", ringArea(graph, ring), " mm2, and points lie ", graph.spacing(),
-                     " mm apart: scan more densely, with at least seven points across it")};
+              Diagnostic("the surface is too narrow for the spacing of its points: its boundary at ", Place(graph.position(ring.front())),
+                         ", ", length, " {mm} long, encloses only ", ringArea(graph, ring), " {mm2}, and points lie ", graph.spacing(),
+                         " {mm} apart: {scan more densely}, with at least seven points across it")};
   return Status::success();
 }
 
@@ -99,21 +94,22 @@ checkWidth(const SurfaceGraph& graph, const std::vector<Ring>& rings)
 Status
 checkOpen(const SurfaceGraph& graph, const BoundaryOptions& options, const std::vector<BoundaryLoop>& loops)
 {
-  std::string only_gap;
+  Diagnostic only_gap;
   if (!loops.empty()) {
     const BoundaryLoop& longest = loops.front();
     const double area = static_cast<double>(graph.size()) * graph.spacing() * graph.spacing();
     const double across = width(longest.curve);
     if (across > options.largest_gap * graph.spacing() || longest.length * longest.length >= 0.1 * 4.0 * pi * area)
       return Status::success();
-    only_gap = textOf(" (its longest loop, ", across, " mm across at ", placeText(longest.curve.front()), ", is only a gap in the scan)");
+    only_gap =
+        Diagnostic(" (its longest loop, ", across, " {mm} across at ", Place(longest.curve.front()), ", is only {a gap in the scan})");
   }
   const Box box = graph.blocks().box();
   const Eigen::Vector3d low = Eigen::Map<const Eigen::Vector3f>(box.low.data()).cast<double>();
   const Eigen::Vector3d high = Eigen::Map<const Eigen::Vector3f>(box.high.data()).cast<double>();
   return {StatusCode::InvalidInput,
-          textOf("the surface from ", placeText(low), " to ", placeText(high),
-                 " is closed: it has no boundary where a path can begin or end", only_gap, "; keep only the side to be machined")};
+          Diagnostic("the surface from ", Place(low), " to ", Place(high), " is closed: it has no boundary where a path can begin or end",
+                     only_gap, "; keep only the side to be machined")};
 }
 
 bool
@@ -185,10 +181,10 @@ fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::v
       ++found.left_out_loops;
     else if (apart > sparsest * graph.spacing())
       return {StatusCode::InvalidInput,
-              textOf("the points of the boundary at ", placeText(graph.position(ring.front())), " are ", apart, " mm apart, ",
-                     apart / graph.spacing(), " times as far as usual in the scan (", graph.spacing(),
-                     " mm): the scan is much denser elsewhere; thin it to an even spacing (setThinning ", apart,
-                     "), or leave the dense part out")};
+              Diagnostic("the points of the boundary at ", Place(graph.position(ring.front())), " are ", apart, " {mm} apart, ",
+                         apart / graph.spacing(), " times as far as usual in the {scan} (", graph.spacing(),
+                         " {mm}): the {scan} is much denser elsewhere; thin it to an even spacing ({setThinning} ", apart,
+                         "), or leave the dense part out")};
     else
       loops.push_back(loopOf(graph, surface, ring, goOn));
     done += size;
@@ -212,9 +208,9 @@ keepMarked(const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, std
   constexpr double least = 0.5;
   if (share(loops.front()) < least)
     return {StatusCode::InvalidInput,
-            formatted("of the %.0f points of the outer boundary only %.0f %% are marked as boundary; mark all of them, or give "
-                      "no flags to have the boundaries found",
-                      static_cast<double>(loops.front().indices.size()), 100.0 * share(loops.front()))};
+            Diagnostic("of the ", loops.front().indices.size(), " points of the outer boundary only ",
+                       std::round(100.0 * share(loops.front())),
+                       " % are marked as boundary; mark all of them, or give no flags to have the boundaries found")};
   const auto kept = std::remove_if(loops.begin() + 1, loops.end(), [&](const BoundaryLoop& loop) { return share(loop) < least; });
   dropped = static_cast<std::size_t>(loops.end() - kept);
   loops.erase(kept, loops.end());

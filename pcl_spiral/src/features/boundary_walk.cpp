@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 namespace pcl_spiral {
 namespace {
@@ -146,11 +145,10 @@ surfaceOnLeft(const SurfaceGraph& graph, const Ring& ring)
 Status
 stopped(const Eigen::Vector3d& place, double walked, double reach, double max_turn)
 {
-  std::ostringstream message;
-  message << "the walk along the boundary ends at (" << place.transpose() << ") after " << walked << " mm: no other boundary point within "
-          << reach << " mm lies ahead with a turn of " << max_turn * 180.0 / pi
-          << " degrees or less (a corner, a gap, or a band of several rows); raise the largest turn, or link half-edges";
-  return {StatusCode::Failed, message.str()};
+  return {StatusCode::Failed,
+          Diagnostic("the walk along the boundary ends at ", Place(place), " after ", walked, " {mm}: no other boundary point within ",
+                     reach, " {mm} lies ahead with a turn of ", max_turn * 180.0 / pi,
+                     " {degrees} or less (a corner, a gap, or a band of several rows); raise the largest turn, or link half-edges")};
 }
 
 } // namespace

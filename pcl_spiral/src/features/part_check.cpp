@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "part_check.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/impl/surface_parts.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
   found.of_triangle = graph.triangulation().parts(sizes);
   if (sizes.empty())
     return {StatusCode::InvalidInput, "the points form no surface: no three of them are neighbours of each other; "
-                                      "check that the cloud is a surface, not a line or random points"};
+                                      "check that the {cloud} is a surface, not a line or random points"};
   const std::size_t all = graph.triangulation().triangleCount();
   counts.left_out_parts = sizes.size() - 1;
   counts.left_out_triangles = all - sizes[0];
@@ -27,9 +27,9 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
     return {StatusCode::InvalidInput,
             others == OtherParts::TooLarge
                 ? severalPartsText(parts)
-                : textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),
-                         "; this is too many: the scan is disconnected, so scan more densely, or keep only the largest part "
-                         "(setLargestPart)")};
+                : Diagnostic("the {cloud} has ", parts.size(), " separate parts: ", partsText(parts),
+                             "; this is too many: the {scan} is disconnected, so {scan more densely}, or keep only the largest part "
+                             "({setLargestPart})")};
   if (sizes.size() > 1) {
     const std::vector<std::uint8_t> apart = apartFrom(graph, found, 0);
     counts.left_out_points = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/features/impl/surface_parts.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -99,25 +99,25 @@ otherParts(const std::vector<SurfacePart>& parts, double share)
   return left_out > specks_together * share * static_cast<double>(all) ? OtherParts::TooMany : OtherParts::Specks;
 }
 
-std::string
+Diagnostic
 partsText(const std::vector<SurfacePart>& parts)
 {
   constexpr std::size_t most_named = 6;
   std::vector<SurfacePart> by_area = parts;
   std::stable_sort(by_area.begin(), by_area.end(), [](const SurfacePart& a, const SurfacePart& b) { return a.area > b.area; });
-  std::string list;
+  Diagnostic list;
   for (std::size_t i = 0; i < std::min(parts.size(), most_named); ++i)
-    list += textOf(i > 0 ? ", " : "", by_area[i].area, " mm2 at ", placeText(by_area[i].place));
+    list += Diagnostic(i > 0 ? ", " : "", by_area[i].area, " {mm2} at ", Place(by_area[i].place));
   if (parts.size() > most_named)
-    list += textOf(" and ", parts.size() - most_named, " more");
+    list += Diagnostic(" and ", parts.size() - most_named, " more");
   return list;
 }
 
-std::string
+Diagnostic
 severalPartsText(const std::vector<SurfacePart>& parts)
 {
-  return textOf("the cloud has ", parts.size(), " separate parts: ", partsText(parts),
-                "; keep only the largest one (setLargestPart), or only the one to be machined, by a place on it (setPartAt)");
+  return Diagnostic("the {cloud} has ", parts.size(), " separate parts: ", partsText(parts),
+                    "; keep only the largest one ({setLargestPart}), or only the one to be machined, by a place on it ({setPartAt})");
 }
 
 std::vector<std::uint8_t>

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <unordered_map>
 
 namespace pcl_spiral {
@@ -91,11 +90,9 @@ makeCentreDisc(const SurfaceGraph& graph, std::uint32_t triangle, HarmonicDomain
   for (const std::uint32_t v : domain.disc)
     domain.in_disc[v] = 1;
   for (const std::uint32_t h : domain.rim)
-    if (domain.in_disc[mesh.origin(h)]) {
-      std::ostringstream message;
-      message << "the centre (" << domain.centre.transpose() << ") is within " << radius << " mm of the rim: move it inwards";
-      return {StatusCode::InvalidArgument, message.str()};
-    }
+    if (domain.in_disc[mesh.origin(h)])
+      return {StatusCode::InvalidArgument,
+              Diagnostic("the centre ", Place(domain.centre), " is within ", radius, " {mm} of the rim: move it inwards")};
 
   const Eigen::Vector3d a = graph.position(corner[0]), b = graph.position(corner[1]), c = graph.position(corner[2]);
   const Eigen::Vector3d n = (b - a).cross(c - a).normalized();

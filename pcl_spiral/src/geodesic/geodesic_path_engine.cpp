@@ -4,10 +4,9 @@
 #include "dijkstra_tree.h"
 #include "distance_field.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace pcl_spiral {
 namespace {
@@ -46,35 +45,30 @@ judge(const Polyline& targets, const std::vector<GeodesicLine>& lines, const Ref
 {
   std::size_t missing = 0, unsettled = 0;
   double largest = 0.0;
-  std::ostringstream first;
+  Diagnostic first;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const GeodesicLine& line = lines[i];
     const bool empty = line.points.empty();
     if ((empty || line.left_surface) && missing++ == 0) {
-      first << "target " << i << " at " << placeText(targets[i]);
+      first = Diagnostic("target ", i, " at ", Place(targets[i]));
       if (empty)
-        first << " is not on the cloud, or is on a part that no path from the source reaches: project it first, or scan "
+        first += " is not on the cloud, or is on a part that no path from the source reaches: project it first, or scan "
                  "the surface between";
       else
-        first << ": the shortest path leaves the surface at " << placeText(line.left_at)
-              << " (a re-entrant outline or a gap in the scan): choose targets with a straight way over the surface from the source, or "
-                 "scan the gap";
+        first += Diagnostic(": the shortest path leaves the surface at ", Place(line.left_at),
+                            " (a re-entrant outline or a gap in the scan): choose targets with a straight way over the surface from the "
+                            "source, or scan the gap");
     }
     else if (!empty && !line.left_surface && !line.converged) {
       ++unsettled;
       largest = std::max(largest, line.largest_move);
     }
   }
-  std::ostringstream message;
-  if (missing > 0) {
-    message << missing << " of " << lines.size() << " paths were not found; first " << first.str();
-    return {StatusCode::Failed, message.str()};
-  }
-  if (unsettled > 0) {
-    message << "done; " << unsettled << " of " << lines.size() << " paths still moved sideways by up to " << largest << " mm (tolerance "
-            << options.tolerance << "): allow more iterations, or a tolerance of that size";
-    return {StatusCode::Ok, message.str()};
-  }
+  if (missing > 0)
+    return {StatusCode::Failed, Diagnostic(missing, " of ", lines.size(), " paths were not found; first ", first)};
+  if (unsettled > 0)
+    return {StatusCode::Ok, Diagnostic("done; ", unsettled, " of ", lines.size(), " paths still moved sideways by up to ", largest,
+                                       " {mm} (tolerance ", options.tolerance, "): allow more iterations, or a tolerance of that size")};
   return Status::success();
 }
 
@@ -83,19 +77,19 @@ judge(const Polyline& targets, const std::vector<GeodesicLine>& lines, const Ref
 Status
 checkRefinement(const RefinementOptions& options)
 {
-  std::ostringstream message;
+  Diagnostic fault;
   if (options.levels.empty())
-    message << "there are no levels; give at least one number of segments";
+    fault = "there are no levels; give at least one number of segments";
   for (std::size_t i = 0; i < options.levels.size(); ++i)
     if (options.levels[i] < 2 || options.levels[i] > 100000 || (i > 0 && options.levels[i] < options.levels[i - 1])) {
-      message << "level " << i << " has " << options.levels[i] << " segments; levels must not fall, and have 2 to 100000 segments";
+      fault = Diagnostic("level ", i, " has ", options.levels[i], " segments; levels must not fall, and have 2 to 100000 segments");
       break;
     }
-  if (message.str().empty() && options.max_iterations < 1)
-    message << "the number of iterations is " << options.max_iterations << "; set it to 1 or more";
-  if (message.str().empty() && !(options.tolerance > 0.0))
-    message << "the tolerance is " << options.tolerance << " mm; set it above 0";
-  return message.str().empty() ? Status::success() : Status(StatusCode::InvalidArgument, message.str());
+  if (fault.empty() && options.max_iterations < 1)
+    fault = Diagnostic("the number of iterations is ", options.max_iterations, "; set it to 1 or more");
+  if (fault.empty() && !(options.tolerance > 0.0))
+    fault = Diagnostic("the tolerance is ", options.tolerance, " {mm}; set it above 0");
+  return fault.empty() ? Status::success() : Status(StatusCode::InvalidArgument, fault);
 }
 
 Status
@@ -107,9 +101,9 @@ shortestPaths(const MlsSurface& surface, const Eigen::Vector3d& source, const Po
   if (!checked.ok())
     return checked;
   if (!startLines(surface.graph(), source, targets, start, lines))
-    return {StatusCode::InvalidArgument, "the source " + placeText(source) +
-                                             " is farther than three point spacings from the cloud: project it onto "
-                                             "the surface first"};
+    return {StatusCode::InvalidArgument, Diagnostic("the source ", Place(source),
+                                                    " is farther than three point spacings from the cloud: project it onto "
+                                                    "the surface first")};
   refineGeodesics(surface, options, lines);
   return judge(targets, lines, options);
 }

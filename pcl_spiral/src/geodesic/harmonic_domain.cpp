@@ -120,20 +120,19 @@ classify(const SurfaceGraph& graph, const std::vector<std::uint32_t>& inner_poin
   for (const auto* points : {&inner_points, &rim_points})
     for (const std::uint32_t i : *points)
       if (i >= graph.size())
-        return {StatusCode::InvalidArgument,
-                "point " + std::to_string(i) + " of a boundary is outside the cloud of " + std::to_string(graph.size()) + " points"};
+        return {StatusCode::InvalidArgument, Diagnostic("point ", i, " of a boundary is outside the cloud of ", graph.size(), " points")};
   const Loops loops = simpleLoops(mesh);
   const auto on_rim = marked(graph.size(), rim_points), on_inner = marked(graph.size(), inner_points);
   const std::size_t rim = loopOf(mesh, loops, rim_points, on_rim);
   if (rim_points.size() < 3 || rim == loops.size())
-    return {StatusCode::InvalidArgument, "the " + std::to_string(rim_points.size()) +
-                                             " rim points are not the points of one boundary loop of the surface: "
-                                             "give the points of the outer loop, in the order of the graph"};
+    return {StatusCode::InvalidArgument, Diagnostic("the ", rim_points.size(),
+                                                    " rim points are not the points of one boundary loop of the surface: "
+                                                    "give the points of the outer loop, in the order of the graph")};
   const std::size_t hole = inner_points.empty() ? loops.size() : loopOf(mesh, loops, inner_points, on_inner);
   if (!inner_points.empty() && (hole == loops.size() || hole == rim))
-    return {StatusCode::InvalidArgument, "the " + std::to_string(inner_points.size()) +
-                                             " inner points are not the points of one inner loop of the surface: "
-                                             "give the points of the inner loop, in the order of the graph"};
+    return {StatusCode::InvalidArgument, Diagnostic("the ", inner_points.size(),
+                                                    " inner points are not the points of one inner loop of the surface: "
+                                                    "give the points of the inner loop, in the order of the graph")};
   std::vector<std::size_t> sizes;
   const auto part = mesh.parts(sizes);
   const std::uint32_t own = part[loops[rim][0] / 3];

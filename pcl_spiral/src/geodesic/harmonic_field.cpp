@@ -71,8 +71,7 @@ HarmonicField::compute(const SurfaceGraph& graph, const std::vector<std::uint32_
 {
   *this = HarmonicField();
   if (inner_curve.size() < 3)
-    return {StatusCode::InvalidArgument,
-            "the inner curve has " + std::to_string(inner_curve.size()) + " points: give the closed inner outline"};
+    return {StatusCode::InvalidArgument, Diagnostic("the inner curve has ", inner_curve.size(), " points: give the closed inner outline")};
   auto domain = std::make_unique<HarmonicDomain>();
   Status status = makeDomain(graph, inner_points, rim_points, *domain);
   if (!status.ok())

@@ -184,8 +184,8 @@ Status
 SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
 {
   if (blocks.size() < fewest_points)
-    return {StatusCode::InvalidInput, "the cloud has " + std::to_string(blocks.size()) + " usable points; a surface needs at least " +
-                                          std::to_string(fewest_points) + ": scan more densely or thin less"};
+    return {StatusCode::InvalidInput, Diagnostic("the {cloud} has ", blocks.size(), " usable points; a surface needs at least ",
+                                                 fewest_points, ": {scan more densely} or thin less")};
   blocks_ = std::move(blocks);
   neighbours_ = enoughNeighbours(blocks_, options);
   PointShapes shapes;
@@ -199,7 +199,7 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
   std::vector<float>().swap(shapes.heights);
   spacing_ = evenSpacing(usual_radius, neighbours_);
   if (!(spacing_ > 0.0))
-    return {StatusCode::InvalidInput, "most points of the cloud coincide: remove duplicates or check the units"};
+    return {StatusCode::InvalidInput, "most points of the {cloud} coincide: remove duplicates or check the units"};
 
   std::vector<std::uint8_t> flipped = consistentSigns(normals_, stars);
   side_ = chooseOuterSide(blocks_, normals_, radii_, far_off * usual_radius, options, flipped);

@@ -35,7 +35,7 @@ sizedBytes(const std::string& file, std::FILE* stream, std::size_t size)
   std::string bytes(size, '\0');
   const std::size_t got = std::fread(bytes.data(), 1, size, stream);
   if (got != size)
-    throw FileError(file, std::string("cannot be read: ") + std::strerror(errno) + " after byte " + std::to_string(got));
+    throw FileError(file, Diagnostic("cannot be read: ", std::string(std::strerror(errno)), " after byte ", got));
   return bytes;
 }
 
@@ -44,7 +44,7 @@ sizedBytes(const std::string& file, std::FILE* stream, std::size_t size)
 ByteFile::ByteFile(std::string file) : file_(std::move(file)), stream_(std::fopen(file_.c_str(), "wb"))
 {
   if (!stream_)
-    throw FileError(file_, std::string("cannot be written: ") + std::strerror(errno));
+    throw FileError(file_, Diagnostic("cannot be written: ", std::string(std::strerror(errno))));
 }
 
 ByteFile::~ByteFile()
@@ -57,7 +57,7 @@ void
 ByteFile::write(std::string_view bytes)
 {
   if (std::fwrite(bytes.data(), 1, bytes.size(), stream_) != bytes.size())
-    throw FileError(file_, std::string("cannot be written: ") + std::strerror(errno));
+    throw FileError(file_, Diagnostic("cannot be written: ", std::string(std::strerror(errno))));
 }
 
 void
@@ -66,7 +66,7 @@ ByteFile::close()
   std::FILE* const stream = stream_;
   stream_ = nullptr;
   if (std::fclose(stream) != 0)
-    throw FileError(file_, std::string("cannot be written: ") + std::strerror(errno));
+    throw FileError(file_, Diagnostic("cannot be written: ", std::string(std::strerror(errno))));
 }
 
 bool
@@ -81,8 +81,8 @@ std::string
 readBytes(const std::string& file)
 {
   if (isStream(file))
-    throw FileError(file, "is a pipe, and this file is read more than once; write it into a file first: cat " + shellFile(file) +
-                              " > FILE, and give FILE");
+    throw FileError(file, Diagnostic("is a pipe, and this file is read more than once; write it into a file first: cat ", shellFile(file),
+                                     " > FILE, and give FILE"));
   return readStream(file);
 }
 
@@ -97,11 +97,11 @@ readStream(const std::string& file)
   const bool stream = isStream(file);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> opened(std::fopen(file.c_str(), "rb"), std::fclose);
   if (!opened)
-    throw FileError(file, std::string("cannot be read: ") + std::strerror(errno));
+    throw FileError(file, Diagnostic("cannot be read: ", std::string(std::strerror(errno))));
   const std::uintmax_t size = stream ? 0 : fs::file_size(file, error);
   std::string bytes = stream ? allBytes(opened.get()) : sizedBytes(file, opened.get(), error ? 0 : static_cast<std::size_t>(size));
   if (std::ferror(opened.get()) != 0)
-    throw FileError(file, std::string("cannot be read: ") + std::strerror(errno) + " after byte " + std::to_string(bytes.size()));
+    throw FileError(file, Diagnostic("cannot be read: ", std::string(std::strerror(errno)), " after byte ", bytes.size()));
   if (bytes.empty())
     throw FileError(file, stream ? "is a pipe that gave nothing (0 bytes); look at the program that writes into it"
                                  : "is empty (0 bytes); export or make it again");

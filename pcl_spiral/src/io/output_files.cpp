@@ -69,7 +69,7 @@ sync(const std::string& path, const std::string& temporary)
   if (handle >= 0)
     ::close(handle);
   if (failed)
-    throw FileError(path, "cannot be written: " + std::string(std::strerror(reason)));
+    throw FileError(path, Diagnostic("cannot be written: ", std::string(std::strerror(reason))));
 }
 
 void
@@ -78,15 +78,15 @@ checkWritable(const std::string& path, const fs::path& target, const fs::path& t
   std::error_code error;
   const fs::path folder = target.parent_path();
   if (!fs::exists(folder, error))
-    throw FileError(path, "cannot be written: the folder " + folder.string() + " does not exist; create it first");
+    throw FileError(path, Diagnostic("cannot be written: the folder ", folder.string(), " does not exist; create it first"));
   if (!fs::is_directory(folder, error))
-    throw FileError(path, "cannot be written: " + folder.string() + " is not a folder");
+    throw FileError(path, Diagnostic("cannot be written: ", folder.string(), " is not a folder"));
   if (fs::exists(target, error) && !fs::is_regular_file(target, error))
     throw FileError(path, "cannot be written: this name exists and is not a file; give another name");
   const int handle = ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY, 0666);
   if (handle < 0)
-    throw FileError(path, "cannot be written: " + std::string(std::strerror(errno)) + " in " + folder.string() +
-                              "; choose a folder you may write to");
+    throw FileError(path, Diagnostic("cannot be written: ", std::string(std::strerror(errno)), " in ", folder.string(),
+                                     "; choose a folder you may write to"));
   ::close(handle);
   ::unlink(temporary.c_str());
 }
@@ -113,12 +113,11 @@ OutputFiles::~OutputFiles()
     ::unlink(temporary.c_str());
 }
 
-std::string
-OutputFiles::asGiven(std::string message) const
+Diagnostic
+OutputFiles::asGiven(Diagnostic message) const
 {
   for (std::size_t i = 0; i < temporaries_.size(); ++i)
-    for (std::size_t at; (at = message.find(temporaries_[i])) != std::string::npos;)
-      message.replace(at, temporaries_[i].size(), paths_[i]);
+    message = message.renamed(temporaries_[i], paths_[i]);
   return message;
 }
 
@@ -157,7 +156,7 @@ OutputFiles::commit()
       }
       else if (i < done)
         fs::remove(targets_[i], ignored);
-    throw FileError(paths_[done], "cannot be written: " + error.message());
+    throw FileError(paths_[done], Diagnostic("cannot be written: ", error.message()));
   }
   for (const std::string& earlier : kept)
     if (!earlier.empty())

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -37,7 +39,7 @@ public:
   const std::string& temporary(std::size_t i) const { return temporaries_[i]; }
 
   /** \p message with the given names instead of the temporary names. */
-  std::string asGiven(std::string message) const;
+  Diagnostic asGiven(Diagnostic message) const;
 
   /** Forces all temporary files to the disk, then renames them to their targets, one directly after the other. \throw FileError after it
    *  has restored the earlier files */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "limit_check.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/machine/impl/kinematics.h>
 
@@ -28,7 +28,7 @@ axesOf(const Kinematics& kinematics, const ProgramBlock& block)
   return {xyz.x(), xyz.y(), xyz.z(), block.angles.first, block.angles.second};
 }
 
-std::string
+Diagnostic
 remedyOf(const RotaryAxis* rotary)
 {
   if (rotary == nullptr)
@@ -36,18 +36,18 @@ remedyOf(const RotaryAxis* rotary)
   return "turn the part, tilt the tool less, or correct the limits in the machine file";
 }
 
-std::string
-textOfBreach(const std::string& place, const std::string& name, const Breach& breach, const AxisRange& range, const RotaryAxis* rotary)
+Diagnostic
+textOfBreach(const Diagnostic& place, const std::string& name, const Breach& breach, const AxisRange& range, const RotaryAxis* rotary)
 {
   const double unit = rotary != nullptr ? in_degrees : 1.0;
-  const char* const word = rotary != nullptr ? " degrees" : " mm";
+  const char* const word = rotary != nullptr ? " {degrees}" : " {mm}";
   const double limit = (breach.below ? range.lower : range.upper) * unit;
-  std::string all =
-      textOf(place, ": ", name, " would be at ", breach.first_value * unit, word, ", ", std::abs(breach.first_value * unit - limit), word,
-             breach.below ? " below its lower" : " above its upper", " limit of ", limit, word);
+  Diagnostic all =
+      Diagnostic(place, ": ", name, " would be at ", breach.first_value * unit, word, ", ", std::abs(breach.first_value * unit - limit),
+                 word, breach.below ? " below its lower" : " above its upper", " limit of ", limit, word);
   if (breach.count > 1)
-    all += textOf(" (", breach.count, " blocks, the worst at ", breach.worst * unit, word, ")");
-  return all + "; " + remedyOf(rotary);
+    all += Diagnostic(" (", breach.count, " blocks, the worst at ", breach.worst * unit, word, ")");
+  return Diagnostic(all, "; ", remedyOf(rotary));
 }
 
 } // namespace
@@ -79,16 +79,16 @@ checkLimits(const Kinematics& kinematics, const std::vector<ProgramBlock>& block
       }
     }
   }
-  std::string all;
+  Diagnostic all;
   for (std::size_t axis = 0; axis < 5; ++axis) {
     if (breaches[axis].count == 0)
       continue;
     const RotaryAxis* const rotary = axis < 3 ? nullptr : &machine.rotary[axis - 3];
     const std::string name(1, rotary != nullptr ? rotary->letter : "XYZ"[axis]);
     const std::size_t first = breaches[axis].first;
-    const std::string place =
-        lines.empty() ? textOf("block ", first + 1, " at ", blocks[first].arc_length, " mm of the path") : textOf("line ", lines[first]);
-    all += (all.empty() ? "" : "; ") + textOfBreach(place, name, breaches[axis], rangeOf(axis), rotary);
+    const Diagnostic place = lines.empty() ? Diagnostic("block ", first + 1, " at ", blocks[first].arc_length, " {mm} of the path")
+                                           : Diagnostic("line ", lines[first]);
+    all += Diagnostic(all.empty() ? "" : "; ", textOfBreach(place, name, breaches[axis], rangeOf(axis), rotary));
   }
   return all.empty() ? Status::success() : Status(StatusCode::Failed, all);
 }

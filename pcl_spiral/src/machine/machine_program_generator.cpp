@@ -7,8 +7,8 @@
 #include "tool_leads.h"
 #include "turn_passes.h"
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/machine/impl/block_spacing.h>
@@ -114,10 +114,10 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
   pass.turns = turnPasses(pass.path, first, failed);
   if (pass.turns.empty())
     return {StatusCode::Failed,
-            textOf("at ", pass.path[failed].arc_length, " mm of the path ", first.letter, " is at ",
-                   pass.path[failed].angles.first / degree, " degrees, plus or minus whole turns, and would leave its limits of ",
-                   first.range.lower / degree, " to ", first.range.upper / degree,
-                   " degrees; turn the part, or use a machine with a larger range of ", first.letter)};
+            Diagnostic("at ", pass.path[failed].arc_length, " {mm} of the path ", first.letter, " is at ",
+                       pass.path[failed].angles.first / degree, " {degrees}, plus or minus whole turns, and would leave its limits of ",
+                       first.range.lower / degree, " to ", first.range.upper / degree,
+                       " {degrees}; turn the part, or use a machine with a larger range of ", first.letter)};
   return Status::success();
 }
 
@@ -207,29 +207,30 @@ MachineProgramGenerator::check(const ProgramSettings& s) const
   if (const Status status = checkMachine(machine_); !status.ok())
     return status;
   if (passes_.empty())
-    return {StatusCode::InvalidInput, "no path was given; call setInputPath, setInputPoses or setInputPasses"};
+    return {StatusCode::InvalidInput, "no path was given; call {setInputPath}, {setInputPoses} or {setInputPasses}"};
   if (settings_.ball_radius > 0.0 && s.ball_radius != settings_.ball_radius)
-    return {StatusCode::InvalidArgument, textOf("the ball radius is ", s.ball_radius, " mm in setInputPath and ", settings_.ball_radius,
-                                                " mm in setSettings: give the same, or 0 mm in setSettings")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the ball radius is ", s.ball_radius, " {mm} in {setInputPath} and ", settings_.ball_radius,
+                       " {mm} in {setSettings}: give the same, or 0 {mm} in {setSettings}")};
   const auto require = [](bool holds, const char* what, double value, const char* rule) {
-    return holds ? std::string() : textOf("the ", what, " is ", value, "; ", rule);
+    return holds ? Diagnostic() : Diagnostic("the ", what, " is ", value, "; ", rule);
   };
-  const char* own_feed = "it must be above 0 mm/min, or 0 for the feed";
-  for (const std::string& fault :
-       {require(s.feed > 0.0 && std::isfinite(s.feed), "feed", s.feed, "it must be above 0 mm/min"),
+  const char* own_feed = "it must be above 0 {mm/min}, or 0 for the feed";
+  for (const Diagnostic& fault :
+       {require(s.feed > 0.0 && std::isfinite(s.feed), "feed", s.feed, "it must be above 0 {mm/min}"),
         require(s.plunge_feed >= 0.0 && std::isfinite(s.plunge_feed), "plunge feed", s.plunge_feed, own_feed),
         require(s.lead_feed >= 0.0 && std::isfinite(s.lead_feed), "lead feed", s.lead_feed, own_feed),
         require(s.link_feed >= 0.0 && std::isfinite(s.link_feed), "link feed", s.link_feed, own_feed),
-        require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius, "it must not be below 0 mm"),
-        require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole cone", s.pole_cone, "it must lie between 0 and 90 degrees"),
-        require(s.block.tip >= BlockTolerance::least_tip, "block tolerance", s.block.tip, "it must be 0.0001 mm or more"),
+        require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius, "it must not be below 0 {mm}"),
+        require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole cone", s.pole_cone, "it must lie between 0 and 90 {degrees}"),
+        require(s.block.tip >= BlockTolerance::least_tip, "block tolerance", s.block.tip, "it must be 0.0001 {mm} or more"),
         require(s.block.axis >= BlockTolerance::least_axis, "block tolerance", s.block.axis, "it must be 1e-6 radians or more"),
         require(s.thinning.tip >= 0.0 && s.thinning.axis >= 0.0, "thinning tolerance", std::min(s.thinning.tip, s.thinning.axis),
                 "it must not be below 0"),
-        require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length, "it must be above 0 mm"),
-        require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance, "it must be above 0 mm"),
-        require(s.stay_down >= 0.0 && std::isfinite(s.stay_down), "largest length of links", s.stay_down, "it must not be below 0 mm"),
-        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height, "it must be above 0 mm"),
+        require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length, "it must be above 0 {mm}"),
+        require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance, "it must be above 0 {mm}"),
+        require(s.stay_down >= 0.0 && std::isfinite(s.stay_down), "largest length of links", s.stay_down, "it must not be below 0 {mm}"),
+        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height, "it must be above 0 {mm}"),
         require(s.clear_box.isEmpty() || s.clear_box.sizes().allFinite(), "size of the box to clear", s.clear_box.sizes().maxCoeff(),
                 "it must be finite")})
     if (!fault.empty())
@@ -249,7 +250,7 @@ MachineProgramGenerator::computeProgram(const ProgramSettings& settings, Machine
   for (const ToolPoses& poses : passes_) {
     MachinePass pass;
     if (const Status status = layPass(kinematics, settings, poses, passes, pass, program.report); !status.ok())
-      return passes_.size() == 1 ? status : Status(status.code(), textOf("pass ", passes.size() + 1, ": ", status.message()));
+      return passes_.size() == 1 ? status : Status(status.code(), Diagnostic("pass ", passes.size() + 1, ": ", status.diagnostic()));
     passes.push_back(std::move(pass));
   }
   const Eigen::Vector3d up = upOf(kinematics.machine());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "half_turn.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/machine/impl/rotary_path.h>
 
@@ -23,10 +23,10 @@ Status
 checkPoses(const ToolPoses& poses)
 {
   if (poses.size() < 2)
-    return {StatusCode::InvalidInput, textOf("the path has ", poses.size(), " poses; a program needs at least 2")};
+    return {StatusCode::InvalidInput, Diagnostic("the path has ", poses.size(), " poses; a program needs at least 2")};
   for (std::size_t i = 0; i < poses.size(); ++i)
     if (!poses[i].tip.allFinite() || !poses[i].contact.allFinite() || !(std::abs(poses[i].axis.norm() - 1.0) < 1e-6))
-      return {StatusCode::InvalidInput, textOf("pose ", i, " is not finite or its axis is not a unit vector; remove it")};
+      return {StatusCode::InvalidInput, Diagnostic("pose ", i, " is not finite or its axis is not a unit vector; remove it")};
   return Status::success();
 }
 
@@ -144,14 +144,13 @@ rotaryPath(const Kinematics& kinematics, const ToolPoses& poses, const RotaryPat
   if (const std::optional<std::size_t> i = branchPath(kinematics, poses, Branch::Larger, larger)) {
     const auto& rotary = kinematics.machine().rotary;
     if (kinematics.machine().three_axes)
-      return {
-          StatusCode::InvalidInput,
-          textOf("pose ", *i, " at ", placeText(poses[*i].tip), ": the tool axis ", placeText(poses[*i].axis), " leans by ",
-                 angleBetween(poses[*i].axis, Eigen::Vector3d::UnitZ()) * in_degrees,
-                 " degrees, and a machine with three axes cannot tilt the tool; make the path with the tool axis along +Z (setFixedAxis)")};
+      return {StatusCode::InvalidInput, Diagnostic("pose ", *i, " at ", Place(poses[*i].tip), ": the tool axis ", Direction(poses[*i].axis),
+                                                   " leans by ", angleBetween(poses[*i].axis, Eigen::Vector3d::UnitZ()) * in_degrees,
+                                                   " {degrees}, and a machine with three axes cannot tilt the tool; make the path with the "
+                                                   "tool axis along +Z ({setFixedAxis})")};
     return {StatusCode::InvalidInput,
-            textOf("pose ", *i, " at ", placeText(poses[*i].tip), ": no angles of ", rotary[0].letter, " and ", rotary[1].letter,
-                   " reach the tool axis ", placeText(poses[*i].axis), "; turn the part, or tilt the tool less")};
+            Diagnostic("pose ", *i, " at ", Place(poses[*i].tip), ": no angles of ", rotary[0].letter, " and ", rotary[1].letter,
+                       " reach the tool axis ", Direction(poses[*i].axis), "; turn the part, or tilt the tool less")};
   }
   branchPath(kinematics, poses, Branch::Smaller, smaller);
   path.branch = smaller.beyond < larger.beyond ? Branch::Smaller : Branch::Larger;

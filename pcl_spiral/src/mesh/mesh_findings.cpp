@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh_findings.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 namespace pcl_spiral {
 
@@ -16,16 +16,16 @@ mendedFindings(const MeshCounts& counts)
           {"edges of a one-sided surface cut open", counts.one_sided_edges}};
 }
 
-std::string
+Diagnostic
 findingsText(const MeshCounts& counts)
 {
-  std::string all;
-  const auto add = [&all](const std::string& words) { all += (all.empty() ? "" : ", ") + words; };
+  Diagnostic all;
+  const auto add = [&all](const Diagnostic& words) { all += Diagnostic(all.empty() ? "" : ", ", words); };
   for (const auto& [words, finding] : mendedFindings(counts))
     if (finding.count > 0)
-      add(textOf(finding.count, " ", words, " (first at ", placeText(finding.place), ")"));
+      add(Diagnostic(finding.count, " ", words, " (first at ", Place(finding.place), ")"));
   if (counts.parts > 1)
-    add(textOf(counts.parts, " separate parts"));
+    add(Diagnostic(counts.parts, " separate parts"));
   return all;
 }
 

@@ -4,9 +4,9 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,6 +17,6 @@ namespace pcl_spiral {
 std::vector<std::pair<const char*, MeshFinding>> mendedFindings(const MeshCounts& counts);
 
 /** "3 faces turned (first at (1, 2, 3)), 2 separate parts"; empty if nothing was done and the mesh is of one part. */
-std::string findingsText(const MeshCounts& counts);
+Diagnostic findingsText(const MeshCounts& counts);
 
 } // namespace pcl_spiral

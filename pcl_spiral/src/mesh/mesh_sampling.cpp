@@ -6,7 +6,7 @@
 #include "rim_samples.h"
 
 #include "common/available_memory.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/mesh/impl/crease_lines.h>
 
 #include <Eigen/Geometry>
@@ -93,9 +93,9 @@ private:
     if (candidates < 4e9 && !(memory && bytes > *memory))
       return Status::success();
     return {StatusCode::InvalidArgument,
-            textOf("sampling the mesh's ", mesh_.area(), " mm2 every ", spacing_, " mm needs ", std::ceil(1e-6 * candidates),
-                   " million places and ", std::ceil(1e-9 * bytes), " GB of memory, but only ", memory ? 1e-9 * *memory : 0.0,
-                   " GB are free: raise the spacing (setSpacing), or set it to 0 to have it chosen")};
+            Diagnostic("sampling the mesh's ", mesh_.area(), " {mm2} every ", spacing_, " {mm} needs ", std::ceil(1e-6 * candidates),
+                       " million places and ", std::ceil(1e-9 * bytes), " GB of memory, but only ", memory ? 1e-9 * *memory : 0.0,
+                       " GB are free: raise the spacing ({setSpacing}), or set it to 0 to have it chosen")};
   }
 
   /** Count the candidates of each face; refuse too many. */
@@ -111,10 +111,10 @@ private:
           box.extend(mesh_.position(v));
       }
     if (box.isEmpty())
-      return {StatusCode::InvalidInput, "no face of the mesh is chosen: choose some (setFaces), or give no choice to take all"};
+      return {StatusCode::InvalidInput, "no face of the mesh is chosen: choose some ({setFaces}), or give no choice to take all"};
     if (box.sizes().maxCoeff() > most_dart_cells * apart * spacing_)
-      return {StatusCode::InvalidArgument, textOf("a spacing of ", spacing_, " mm is too close for a mesh ", box.sizes().maxCoeff(),
-                                                  " mm long: raise it (setSpacing), or check the units")};
+      return {StatusCode::InvalidArgument, Diagnostic("a spacing of ", spacing_, " {mm} is too close for a mesh ", box.sizes().maxCoeff(),
+                                                      " {mm} long: raise it ({setSpacing}), or check the units")};
     if (const Status status = tooMany(foreseen); !status.ok())
       return status;
     first_.assign(mesh_.faceCount() + 1, 0);
@@ -179,19 +179,20 @@ MeshSampling::run(pcl::PointCloud<pcl::PointNormal>& output)
   if (const Status status = checkThreads(thread_count_); !status.ok())
     return status;
   if (!input_ && !mesh_)
-    return {StatusCode::InvalidInput, "there is no mesh: call setInputMesh"};
+    return {StatusCode::InvalidInput, "there is no mesh: call {setInputMesh}"};
   if (!(spacing_ >= 0.0) || !std::isfinite(spacing_))
     return {StatusCode::InvalidArgument,
-            textOf("the spacing is ", spacing_, " mm; set it above 0, or to 0 to have it chosen (setSpacing)")};
+            Diagnostic("the spacing is ", spacing_, " {mm}; set it above 0, or to 0 to have it chosen ({setSpacing})")};
   if (!(crease_band_ >= 0.0) || !std::isfinite(crease_band_))
-    return {StatusCode::InvalidArgument, textOf("the crease band is ", crease_band_, " mm wide; set it to 0 or more (setCreaseBand)")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the crease band is ", crease_band_, " {mm} wide; set it to 0 or more ({setCreaseBand})")};
   const ThreadLimit limit(thread_count_);
   if (input_)
     if (const Status status = SurfaceMesh::make(*input_, settings_, mesh_); !status.ok())
       return status;
   if (!chosen_.empty() && chosen_.size() != mesh_->faceCount())
-    return {StatusCode::InvalidInput, textOf("faces are chosen by ", chosen_.size(), " values, but the mesh has ", mesh_->faceCount(),
-                                             " faces: give one value per face, or none for all (setFaces)")};
+    return {StatusCode::InvalidInput, Diagnostic("faces are chosen by ", chosen_.size(), " values, but the mesh has ", mesh_->faceCount(),
+                                                 " faces: give one value per face, or none for all ({setFaces})")};
   used_spacing_ = spacing_ > 0.0 ? spacing_ : defaultSampleSpacing(*mesh_, chosen_);
   if (const Status status = Sampler(*mesh_, chosen_, used_spacing_).run(output, faces_); !status.ok())
     return status;

@@ -31,7 +31,7 @@ MeshSections::run(DrivePasses& passes)
   if (const Status status = checkSettings(settings_); !status.ok())
     return status;
   if (!given_mesh_ && !input_)
-    return {StatusCode::InvalidInput, "there is no mesh: call setInputMesh"};
+    return {StatusCode::InvalidInput, "there is no mesh: call {setInputMesh}"};
   const ThreadLimit limit(number_of_threads_);
   if (progress_ && !progress_(0.0, "mesh"))
     return {StatusCode::Cancelled, "cancelled"};

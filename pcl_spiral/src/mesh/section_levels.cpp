@@ -6,7 +6,7 @@
 #include "common/available_memory.h"
 #include "core/row_levels.h"
 #include <pcl_spiral/common/drive_pass.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,8 @@ checkRows(double rows, double extent, double step)
   if (rows <= most_rows)
     return Status::success();
   return {StatusCode::InvalidArgument,
-          textOf("a step-over of ", step, " mm over ", extent, " mm makes ", rows, " rows, more than ", most_rows,
-                 ": is the mesh in another unit than mm? Otherwise raise the step-over (setStepOver)")};
+          Diagnostic("a step-over of ", step, " {mm} over ", extent, " {mm} makes ", rows, " rows, more than ", most_rows,
+                     ": is the mesh in another unit than {mm} ({ReadOptions::unit})? Otherwise raise the step-over ({setStepOver})")};
 }
 
 /** Refused if the predicted contacts are too many, or if they and what is made from them need more memory than is free. */
@@ -49,11 +49,11 @@ checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, double step)
   const std::optional<double> memory = availableMemory();
   if (contacts <= most_contacts && (!memory || bytes <= *memory))
     return Status::success();
-  return {StatusCode::InvalidArgument, textOf("the sections asked for are too large: about ", contacts, " contacts and ", bytes / 1e9,
-                                              " GB of memory; at most ", most_contacts, " contacts are allowed") +
-                                           (memory ? textOf(" and ", *memory / 1e9, " GB are free") : std::string()) +
-                                           textOf(": is the mesh in another unit than mm? Otherwise put rows farther apart, now ", step,
-                                                  " mm (setStepOver, setScallop), or contacts (setPointSpacing)")};
+  return {StatusCode::InvalidArgument,
+          Diagnostic("the sections asked for are too large: about ", contacts, " contacts and ", bytes / 1e9, " GB of memory; at most ",
+                     most_contacts, " contacts are allowed", (memory ? Diagnostic(" and ", *memory / 1e9, " GB are free") : Diagnostic()),
+                     ": is the mesh in another unit than {mm} ({ReadOptions::unit})? Otherwise put rows farther apart, now ", step,
+                     " {mm} ({setStepOver}, {setScallop}), or contacts ({setPointSpacing})")};
 }
 
 /** What each face allows for the rows across it: the least of its corners. */
@@ -86,11 +86,11 @@ keptLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const Vecto
   report.held_share = rows.held_share;
   if (rows.narrowest != RowLevels::none) {
     const MeshPatch patch = mesh.patch(rows.narrowest);
-    report.warnings.push_back(textOf("on ", 100.0 * rows.held_share, " % of the surface the scallop height of ", settings.scallop_height,
-                                     " mm needs rows closer than ", floor, " mm, the least distance allowed; the closest at ",
-                                     placeText(patch.corners.rowwise().mean()),
-                                     ": ridges there are higher; turn the planes across "
-                                     "steep walls (setPlaneNormal), or take a smaller ball if a hollow is hardly wider than the ball"));
+    report.warnings.push_back(Diagnostic(
+        "on ", 100.0 * rows.held_share, " % of the surface the scallop height of ", settings.scallop_height,
+        " {mm} needs rows closer than ", floor, " {mm}, the least distance allowed; the closest at ", Place(patch.corners.rowwise().mean()),
+        ": ridges there are higher; turn the planes across "
+        "steep walls ({setPlaneNormal}), or take a smaller ball if a hollow is hardly wider than the ball"));
   }
   return std::move(rows.levels);
 }
@@ -117,7 +117,7 @@ sectionLevels(const SurfaceMesh& mesh, const SectionSettings& settings, const Me
   const double width = extent.high - extent.low;
   if (!(width > 0.0))
     return {StatusCode::InvalidInput,
-            "the mesh has no extent along the planes' normal " + placeText(normal) + ": turn the planes (setPlaneNormal)"};
+            Diagnostic("the mesh has no extent along the planes' normal ", Direction(normal), ": turn the planes ({setPlaneNormal})")};
   if (!settings.levels.empty()) {
     levels = settings.levels;
     const double step = levels.size() > 1 ? (levels.back() - levels.front()) / static_cast<double>(levels.size() - 1) : width;

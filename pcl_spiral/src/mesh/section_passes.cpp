@@ -8,7 +8,7 @@
 
 #include "mesh_feet.h"
 #include "row_links.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector3d;
 
 Status
-bad(std::string message)
+bad(Diagnostic message)
 {
   return {StatusCode::InvalidArgument, std::move(message)};
 }
@@ -106,30 +106,31 @@ checkSettings(const SectionSettings& s)
 {
   constexpr double shortest = 1e-9;
   if (!s.plane_normal.allFinite() || !(s.plane_normal.norm() > shortest))
-    return bad("the planes' normal is " + placeText(s.plane_normal) +
-               ", which has no direction: set it along the step from plane to "
-               "plane (setPlaneNormal)");
+    return bad(Diagnostic("the planes' normal is ", Direction(s.plane_normal),
+                          ", which has no direction: set it along the step from plane to "
+                          "plane ({setPlaneNormal})"));
   if (!s.axis.allFinite() || !(s.axis.norm() > shortest))
-    return bad("the tool axis is " + placeText(s.axis) + ", which has no direction: set it from the tip to the shank (setAxis)");
+    return bad(
+        Diagnostic("the tool axis is ", Direction(s.axis), ", which has no direction: set it from the tip to the shank ({setAxis})"));
   const bool kept = s.rows == DriveRows::Kept;
   if (kept && !s.levels.empty())
-    return bad("setRows asks for a constant scallop height, but levels are given: leave one of them out (setRows, setLevels)");
+    return bad("{setRows} asks for a constant scallop height, but levels are given: leave one of them out ({setRows}, {setLevels})");
   if (kept && (!(s.tool_radius > 0.0) || !std::isfinite(s.tool_radius) || !(s.scallop_height > 0.0) || !(s.scallop_height < s.tool_radius)))
-    return bad(textOf("rows are kept for a ball of radius ", s.tool_radius, " mm and a scallop height of ", s.scallop_height,
-                      " mm: set both above 0, and the height below the radius (setScallop)"));
+    return bad(Diagnostic("rows are kept for a ball of radius ", s.tool_radius, " {mm} and a scallop height of ", s.scallop_height,
+                          " {mm}: set both above 0, and the height below the radius ({setScallop})"));
   if (s.link_rows && !s.zigzag)
-    return bad("rows that all run one way cannot be joined: each begins far from the end of the one before; call setZigzag(true), or "
-               "setLinkRows(false)");
+    return bad("rows that all run one way cannot be joined: each begins far from the end of the one before; call {setZigzag}(true), or "
+               "{setLinkRows}(false)");
   if (!kept && s.levels.empty() && (!(s.step_over > 0.0) || !std::isfinite(s.step_over)))
-    return bad(textOf("the step-over is ", s.step_over, " mm: set it above 0 (setStepOver)"));
+    return bad(Diagnostic("the step-over is ", s.step_over, " {mm}: set it above 0 ({setStepOver})"));
   for (std::size_t k = 0; k < s.levels.size(); ++k)
     if (!std::isfinite(s.levels[k]) || (k > 0 && !(s.levels[k] > s.levels[k - 1])))
-      return bad(textOf("level ", k, " of the planes is ", s.levels[k], " mm: set levels that ascend (setLevels)"));
+      return bad(Diagnostic("level ", k, " of the planes is ", s.levels[k], " {mm}: set levels that ascend ({setLevels})"));
   constexpr double least_error = 1e-6; // mm: the single precision of a mesh resolves no less
   if (!(s.chord_error >= least_error) || !std::isfinite(s.chord_error))
-    return bad(textOf("the chord error is ", s.chord_error, " mm: set it to ", least_error, " or more (setChordError)"));
+    return bad(Diagnostic("the chord error is ", s.chord_error, " {mm}: set it to ", least_error, " or more ({setChordError})"));
   if (!(s.point_spacing >= 0.0) || !std::isfinite(s.point_spacing))
-    return bad(textOf("the spacing of contacts is ", s.point_spacing, " mm: set it above 0, or to 0 for none (setPointSpacing)"));
+    return bad(Diagnostic("the spacing of contacts is ", s.point_spacing, " {mm}: set it above 0, or to 0 for none ({setPointSpacing})"));
   return Status::success();
 }
 
@@ -162,13 +163,14 @@ sectionPasses(const SurfaceMesh& mesh, const SectionSettings& settings, const Pr
     }
   }
   if (passes.empty() && report.facing_away > 0)
-    return {StatusCode::InvalidInput, "the whole mesh faces away from the tool axis " + placeText(settings.axis) +
-                                          ", set from the tip "
-                                          "to the shank: turn the axis round (setAxis), or flip the faces of the mesh (setFlipNormals)"};
-  if (passes.empty())
     return {StatusCode::InvalidInput,
-            textOf("no plane crosses the mesh: the planes lie at ", levels.front(), " to ", levels.back(),
-                   " mm along their normal, the mesh from ", extent.low, " to ", extent.high, " mm; set levels between these (setLevels)")};
+            Diagnostic("the whole mesh faces away from the tool axis ", Direction(settings.axis),
+                       ", set from the tip "
+                       "to the shank: turn the axis round ({setAxis}), or flip the faces of the mesh ({setFlipNormals})")};
+  if (passes.empty())
+    return {StatusCode::InvalidInput, Diagnostic("no plane crosses the mesh: the planes lie at ", levels.front(), " to ", levels.back(),
+                                                 " {mm} along their normal, the mesh from ", extent.low, " to ", extent.high,
+                                                 " {mm}; set levels between these ({setLevels})")};
   measureSteps(levels, extent.high - extent.low, report);
   if (settings.link_rows)
     link(mesh, settings, passes, report);

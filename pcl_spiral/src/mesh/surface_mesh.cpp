@@ -6,7 +6,7 @@
 #include "vertex_normals.h"
 #include "welded_faces.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/parabola_edge.h>
 
 #include <Eigen/Geometry>
@@ -24,7 +24,7 @@ checkSettings(const MeshSettings& settings)
 {
   if (!(settings.crease_angle > 0.0) || !(settings.crease_angle <= 180.0))
     return {StatusCode::InvalidArgument,
-            textOf("the crease angle is ", settings.crease_angle, " degrees; set it above 0, up to 180 (setCreaseAngle)")};
+            Diagnostic("the crease angle is ", settings.crease_angle, " {degrees}; set it above 0, up to 180 ({setCreaseAngle})")};
   return Status::success();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "welded_faces.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <pcl/conversions.h>
 #include <pcl/point_types.h>
@@ -57,13 +57,14 @@ triangleList(const pcl::PolygonMesh& mesh, const pcl::PointCloud<pcl::PointXYZ>&
     const auto& corners = mesh.polygons[f].vertices;
     for (const auto v : corners) {
       if (static_cast<std::size_t>(v) >= points.size())
-        return {StatusCode::InvalidInput, textOf("face ", f, " has the corner ", v, ", but there are ", points.size(),
-                                                 " points, numbered from 0: export the mesh again")};
+        return {StatusCode::InvalidInput, Diagnostic("face ", f, " has the corner ", v, ", but there are ", points.size(),
+                                                     " points, numbered from 0: export the mesh again")};
       if (!points[v].getVector3fMap().allFinite())
-        return {StatusCode::InvalidInput, textOf("corner ", v, " of face ", f, " is not finite: repair the mesh, or export it again")};
+        return {StatusCode::InvalidInput, Diagnostic("corner ", v, " of face ", f, " is not finite: repair the mesh, or export it again")};
     }
     if (corners.size() < 3)
-      return {StatusCode::InvalidInput, textOf("face ", f, " has ", corners.size(), " corners, but needs three: export the mesh again")};
+      return {StatusCode::InvalidInput,
+              Diagnostic("face ", f, " has ", corners.size(), " corners, but needs three: export the mesh again")};
     for (std::size_t k = 2; k < corners.size(); ++k)
       faces.push_back(
           {static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[k - 1]), static_cast<std::uint32_t>(corners[k])});
@@ -110,10 +111,11 @@ Status
 weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshCounts& counts)
 {
   if (!hasCoordinates(mesh.cloud) || mesh.cloud.width == 0 || mesh.cloud.height == 0)
-    return {StatusCode::InvalidInput, "the mesh has no points with x, y and z in single precision: call setInputMesh with such a mesh"};
+    return {StatusCode::InvalidInput, "the mesh has no points with x, y and z in single precision: call {setInputMesh} with such a mesh"};
   if (mesh.polygons.empty())
-    return {StatusCode::InvalidInput, textOf("the mesh has ", mesh.cloud.width * mesh.cloud.height,
-                                             " points but no faces: give its points as a cloud (setInputCloud), or export it with faces")};
+    return {StatusCode::InvalidInput,
+            Diagnostic("the mesh has ", mesh.cloud.width * mesh.cloud.height,
+                       " points but no faces: give its points as a cloud ({setInputCloud}), or export it with faces")};
   pcl::PointCloud<pcl::PointXYZ> points;
   pcl::fromPCLPointCloud2(mesh.cloud, points);
   std::vector<Triangle> faces;
@@ -145,8 +147,8 @@ weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshCounts& counts)
   }
   if (welded.faces.empty())
     return {StatusCode::InvalidInput,
-            textOf("none of the ", faces.size(), " faces has an area; the first is at ", placeText(counts.without_area.place),
-                   ": is the mesh in another unit, or rounded too much? Export it again")};
+            Diagnostic("none of the ", faces.size(), " faces has an area; the first is at ", Place(counts.without_area.place),
+                       ": is the mesh in another unit, or rounded too much? Export it again")};
   dropRepeated(welded, counts);
   return Status::success();
 }

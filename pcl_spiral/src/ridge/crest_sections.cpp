@@ -4,7 +4,7 @@
 #include "crest_line.h"
 #include "rough_line.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
@@ -51,9 +51,9 @@ checkOnScan(const Surface& surface, const ScanRidgeSettings& settings)
       walkSections(surface, settings.rough_points, Polyline(settings.rough_points.size(), Vector3d::UnitX()), surface.spacing(), 0);
   for (std::size_t i = 0; i < settings.rough_points.size(); ++i)
     if (const double off = (found.foot(i, 0).position - settings.rough_points[i]).norm(); !(off <= settings.half_width))
-      return {StatusCode::InvalidInput, textOf("rough point ", i, " at ", placeText(settings.rough_points[i]), " is ", off,
-                                               " mm away from the scan, more than the half width of ", settings.half_width,
-                                               " mm: give places on the ridge, in the scan's unit (setRoughPoints)")};
+      return {StatusCode::InvalidInput, Diagnostic("rough point ", i, " at ", Place(settings.rough_points[i]), " is ", off,
+                                                   " {mm} away from the scan, more than the half width of ", settings.half_width,
+                                                   " {mm}: give places on the ridge, in the scan's unit ({setRoughPoints})")};
   return Status::success();
 }
 
@@ -87,20 +87,20 @@ checkSections(const ScanRidgeSettings& settings, const CrestSections& crest)
   for (const int side : {-1, 1})
     if (const double reach = crest.sections.step * commonReach(crest.sections, side, worst); reach < least_share * settings.half_width)
       return {StatusCode::InvalidInput,
-              textOf("the band of the ridge leaves the scan at ", placeText(crest.places[worst]), ": on one side it ends ",
-                     crest.sections.step * crest.sections.reach(worst, side), " mm from the crest, but at least ",
-                     least_share * settings.half_width, " mm are needed for a half width of ", settings.half_width,
-                     " mm: choose rough points farther from the rim, or a smaller half width (setHalfWidth)")};
+              Diagnostic("the band of the ridge leaves the scan at ", Place(crest.places[worst]), ": on one side it ends ",
+                         crest.sections.step * crest.sections.reach(worst, side), " {mm} from the crest, but at least ",
+                         least_share * settings.half_width, " {mm} are needed for a half width of ", settings.half_width,
+                         " {mm}: choose rough points farther from the rim, or a smaller half width ({setHalfWidth})")};
   std::vector<std::pair<double, std::size_t>> bends;
   for (std::size_t i = 0; i < crest.sections.size(); ++i)
     bends.emplace_back(bendOf(crest.sections, i, crest.sections.most, crest.tangents[i]), i);
   std::sort(bends.begin(), bends.end());
   if (const auto& [bend, where] = bends[bends.size() / 3]; bend < least_bend)
     return {StatusCode::InvalidInput,
-            textOf("there is no crest between the rough points at ", placeText(crest.places[where]), ": across the line the scan bends by ",
-                   bend, " degrees within the half width, but a ridge bends by at least ", least_bend,
-                   ": move the rough points to the ridge (setRoughPoints), set a larger half width "
-                   "(setHalfWidth), or flip the normals if it is a hollow (setFlipNormals)")};
+            Diagnostic("there is no crest between the rough points at ", Place(crest.places[where]), ": across the line the scan bends by ",
+                       bend, " {degrees} within the half width, but a ridge bends by at least ", least_bend,
+                       ": move the rough points to the ridge ({setRoughPoints}), set a larger half width "
+                       "({setHalfWidth}), or flip the normals if it is a hollow ({setFlipNormals})")};
   return Status::success();
 }
 
@@ -120,8 +120,8 @@ findCrest(const Surface& surface, const ScanRidgeSettings& settings, CrestSectio
     line = crestOf(surface, crest.sections, settings.closed);
     if (2 * line.size() < crest.places.size())
       return {StatusCode::InvalidInput,
-              textOf("the scan ends within the width of a fit at the rough points at ", placeText(crest.places[crest.places.size() / 2]),
-                     ": no crest can be found; choose rough points where the ridge was scanned (setRoughPoints)")};
+              Diagnostic("the scan ends within the width of a fit at the rough points at ", Place(crest.places[crest.places.size() / 2]),
+                         ": no crest can be found; choose rough points where the ridge was scanned ({setRoughPoints})")};
     crest.line = fitLine({evened(line, even, settings.closed), settings.closed, 0.0}).line;
     line.clear();
     for (std::size_t i = 0; i < crest.places.size(); ++i)

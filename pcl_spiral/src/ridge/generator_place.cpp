@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "generator_place.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <Eigen/Eigenvalues>
@@ -85,21 +85,21 @@ findMeeting(const SmoothLine& generator, const SmoothLine& rail, Vector3d& meeti
     return {StatusCode::InvalidInput, "no curve fits the points of the generator: do they lie along a line?"};
   place.chord_length = (generator.position(generator.length()) - generator.position(0.0)).norm();
   if (!(place.chord_length > least_chord * generator.length()))
-    return {StatusCode::InvalidInput, textOf("start and end of the generator at ", placeText(generator.position(0.0)), " are ",
-                                             place.chord_length, " mm apart, less than a twentieth of its length, ", generator.length(),
-                                             " mm: its chord defines no direction; measure an open profile")};
+    return {StatusCode::InvalidInput, Diagnostic("start and end of the generator at ", Place(generator.position(0.0)), " are ",
+                                                 place.chord_length, " {mm} apart, less than a twentieth of its length, ",
+                                                 generator.length(), " {mm}: its chord defines no direction; measure an open profile")};
   place.meeting = meetingOf(rail, generator, meeting);
   const Vector3d foot = rail.position(place.meeting);
   place.distance = (meeting - foot).norm();
   const double beyond = std::abs((meeting - foot).dot(rail.tangent(place.meeting)));
   if (!rail.closed() && beyond > 0.5 * place.distance && beyond > least_chord * place.chord_length)
     return {StatusCode::InvalidInput,
-            textOf("the generator at ", placeText(meeting), " lies ", beyond, " mm beyond the end of the rail at ", placeText(foot),
-                   ": measure it across the rail, or measure a longer rail")};
+            Diagnostic("the generator at ", Place(meeting), " lies ", beyond, " {mm} beyond the end of the rail at ", Place(foot),
+                       ": measure it across the rail, or measure a longer rail")};
   if (place.distance > generator.length())
-    return {StatusCode::InvalidInput,
-            textOf("the generator at ", placeText(meeting), " is ", place.distance, " mm from the rail, at ", placeText(foot),
-                   ", more than its own length, ", generator.length(), " mm: do both lines belong to the same ridge, in the same unit?")};
+    return {StatusCode::InvalidInput, Diagnostic("the generator at ", Place(meeting), " is ", place.distance, " {mm} from the rail, at ",
+                                                 Place(foot), ", more than its own length, ", generator.length(),
+                                                 " {mm}: do both lines belong to the same ridge, in the same unit?")};
   return Status::success();
 }
 
@@ -108,12 +108,12 @@ Status
 checkTilt(const Polyline& points, const Vector3d& tangent, const Vector3d& meeting, GeneratorPlace& place)
 {
   place.tilt = tiltOf(points, tangent);
-  const std::string tilted =
-      textOf("the generator at ", placeText(meeting), " is tilted by ", place.tilt, " degrees against the normal plane of the rail");
+  const Diagnostic tilted =
+      Diagnostic("the generator at ", Place(meeting), " is tilted by ", place.tilt, " {degrees} against the normal plane of the rail");
   if (place.tilt > most_tilt)
-    return {StatusCode::InvalidInput, tilted + textOf("; at most ", most_tilt, " are allowed: measure it square to the rail")};
+    return {StatusCode::InvalidInput, Diagnostic(tilted, "; at most ", most_tilt, " are allowed: measure it square to the rail")};
   if (place.tilt > warned_tilt)
-    place.warnings.push_back(tilted + ": its shape is used as measured");
+    place.warnings.push_back(Diagnostic(tilted, ": its shape is used as measured"));
   return Status::success();
 }
 
@@ -135,8 +135,8 @@ checkCorners(const MeasuredLine& rail, double error)
     const double turn = turnAt(i), beside = std::max(turnAt((i + 2 * reach) % n), turnAt((i + n - 2 * reach) % n));
     if (turn > largest_corner && beside < 0.5 * turn)
       return {StatusCode::InvalidInput,
-              textOf("the rail has a corner of ", turn, " degrees at ", placeText(rail.points[i]), "; it must be smooth, with less than ",
-                     largest_corner, " degrees at one place: make one ridge of each side of the corner")};
+              Diagnostic("the rail has a corner of ", turn, " {degrees} at ", Place(rail.points[i]), "; it must be smooth, with less than ",
+                         largest_corner, " {degrees} at one place: make one ridge of each side of the corner")};
   }
   return Status::success();
 }
@@ -163,15 +163,15 @@ placeGenerator(const MeasuredLine& measured, const SmoothLine& rail, const Ridge
   const std::optional<RidgeFrame> frame = ridgeFrame(tangent, place.chord);
   if (!frame)
     return {StatusCode::InvalidInput,
-            textOf("the chord of the generator at ", placeText(meeting),
-                   " is parallel to the reference normal, so it is not clear on which "
-                   "side of the rail it is: set another reference normal, across both lines (setReferenceNormal)")};
+            Diagnostic("the chord of the generator at ", Place(meeting),
+                       " is parallel to the reference normal, so it is not clear on which "
+                       "side of the rail it is: set another reference normal, across both lines ({setReferenceNormal})")};
   constexpr double sure = 0.1; // of the chord's length, away from the upright plane through the rail
   if (std::abs(frame->up.dot(settings.reference)) < sure)
-    place.warnings.push_back(textOf("the generator at ", placeText(meeting),
-                                    " is nearly upright, so errors of its points may decide which "
-                                    "side is up: check the normals, and flip them (setFlipNormals) or set a reference normal across "
-                                    "the generator (setReferenceNormal)"));
+    place.warnings.push_back(Diagnostic("the generator at ", Place(meeting),
+                                        " is nearly upright, so errors of its points may decide which "
+                                        "side is up: check the normals, and flip them ({setFlipNormals}) or set a reference normal across "
+                                        "the generator ({setReferenceNormal})"));
   place.local.spacing = measured.spacing;
   for (const Vector3d& p : measured.points)
     place.local.points.push_back(frame->localOf(p - foot));

@@ -9,9 +9,6 @@
 #include <pcl_spiral/ridge/impl/smooth_line.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
 
-#include <string>
-#include <vector>
-
 namespace pcl_spiral {
 
 /** A generator in the frame of the rail. Lengths in mm, the tilt in degrees. */
@@ -21,7 +18,7 @@ struct GeneratorPlace {
   double chord_length = 0.0, tilt = 0.0;
   RidgeChord chord;
   MeasuredLine local; ///< its points in order from start to end, in coordinates along m1, m2, m3
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
 };
 
 /** Put a generator in the frame of \p rail where both meet. \p may_turn: the result may be that the rail must run the other way. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/ridge/impl/measured_line.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -127,7 +127,7 @@ withoutRepeats(const Polyline& points)
 
 /** The line of \p tree: its longest way, with short side branches inserted where they begin. */
 Status
-lineOf(const LeastTree& tree, const Polyline& points, const std::string& name, MeasuredLine& line)
+lineOf(const LeastTree& tree, const Polyline& points, const Diagnostic& name, MeasuredLine& line)
 {
   std::vector<std::uint32_t> before;
   std::vector<double> ways;
@@ -144,8 +144,8 @@ lineOf(const LeastTree& tree, const Polyline& points, const std::string& name, M
       foot = before[foot];
     if (ways[i] - ways[foot] > largest_gap * line.spacing)
       return {StatusCode::InvalidInput,
-              textOf(name, " has a branch at ", placeText(points[foot]), ", ", ways[i] - ways[foot],
-                     " mm long or more: remove what does not belong to the line, or thin points that lie closer than their error")};
+              Diagnostic(name, " has a branch at ", Place(points[foot]), ", ", ways[i] - ways[foot],
+                         " {mm} long or more: remove what does not belong to the line, or thin points that lie closer than their error")};
     const Eigen::Vector3d& p = points[i];
     stations.emplace_back(ways[foot], ways[i] - ways[foot], p.x(), p.y(), p.z(), i);
   }
@@ -160,27 +160,28 @@ lineOf(const LeastTree& tree, const Polyline& points, const std::string& name, M
 } // namespace
 
 Status
-orderLine(const Polyline& given, const std::string& name, MeasuredLine& line)
+orderLine(const Polyline& given, const Diagnostic& name, MeasuredLine& line)
 {
   line = MeasuredLine();
   if (given.size() > most_points)
-    return {StatusCode::InvalidInput, textOf(name, " has ", given.size(), " points; a line of more than ", most_points,
-                                             " cannot be put in order: is it a whole scan? If not, thin it")};
+    return {StatusCode::InvalidInput, Diagnostic(name, " has ", given.size(), " points; a line of more than ", most_points,
+                                                 " cannot be put in order: is it a whole scan? If not, thin it")};
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!given[i].allFinite())
-      return {StatusCode::InvalidInput, textOf("point ", i + 1, " of ", name, " is not finite: remove it")};
+      return {StatusCode::InvalidInput, Diagnostic("point ", i + 1, " of ", name, " is not finite: remove it")};
   const Polyline points = withoutRepeats(given);
   if (points.size() < 4)
     return {StatusCode::InvalidInput,
-            textOf(name, " has ", points.size(), " different points; a line needs at least four: measure more of it")};
+            Diagnostic(name, " has ", points.size(), " different points; a line needs at least four: measure more of it")};
   const LeastTree tree(points);
   line.spacing = median(tree.lengths());
   const auto gap = tree.longest();
   const double length = (points[gap.first] - points[gap.second]).norm();
   if (length > largest_gap * line.spacing)
     return {StatusCode::InvalidInput,
-            textOf(name, " has a gap of ", length, " mm at ", placeText(points[std::min(gap.first, gap.second)]), ", more than ",
-                   largest_gap, " times the ", line.spacing, " mm between its points: measure that piece, or remove the isolated points")};
+            Diagnostic(name, " has a gap of ", length, " {mm} at ", Place(points[std::min(gap.first, gap.second)]), ", more than ",
+                       largest_gap, " times the ", line.spacing,
+                       " {mm} between its points: measure that piece, or remove the isolated points")};
   if (const Status status = lineOf(tree, points, name, line); !status.ok())
     return status;
   line.closed = line.points.size() >= least_ring && (line.points.front() - line.points.back()).norm() <= largest_join * line.spacing;

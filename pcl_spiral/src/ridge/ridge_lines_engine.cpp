@@ -5,7 +5,7 @@
 #include "ridge_misfit.h"
 #include "section_rounds.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -73,9 +73,10 @@ ScanSearch::firstLines(SectionBand& band, SmoothLine& generator)
   band.chord = ridgeChord(tangent, chord, settings_.reference.normalized());
   const std::optional<RidgeFrame> frame = ridgeFrame(tangent, band.chord);
   if (!frame)
-    return {StatusCode::InvalidInput, textOf("the ridge at ", placeText(origin),
-                                             " and its section there have the same slope to the reference plane, so no frame is possible: "
-                                             "set a reference normal across the ridge (setReferenceNormal)")};
+    return {StatusCode::InvalidInput,
+            Diagnostic("the ridge at ", Place(origin),
+                       " and its section there have the same slope to the reference plane, so no frame is possible: "
+                       "set a reference normal across the ridge ({setReferenceNormal})")};
   Polyline points;
   for (int k = -right; k <= left; ++k)
     points.push_back(frame->localOf(crest_.sections.foot(section, k).position - origin).cwiseProduct(Vector3d(0.0, 1.0, 1.0)));
@@ -91,9 +92,9 @@ ScanSearch::warnOfReach()
   constexpr double short_share = 0.1, spacings = 3.0; // of the half width, of the scan
   const double least = std::min(report_.reach_left, report_.reach_right);
   if (least < settings_.half_width - std::max(short_share * settings_.half_width, spacings * surface_.spacing()))
-    report_.warnings.push_back(textOf("the generator reaches ", report_.reach_left, " and ", report_.reach_right,
-                                      " mm to its two sides, because the scan ends there; the half width is ", settings_.half_width,
-                                      " mm (setHalfWidth)"));
+    report_.warnings.push_back(Diagnostic("the generator reaches ", report_.reach_left, " and ", report_.reach_right,
+                                          " {mm} to its two sides, because the scan ends there; the half width is ", settings_.half_width,
+                                          " {mm} ({setHalfWidth})"));
 }
 
 /** Make the ridge from points of both lines; up is the outer side of the scan. */
@@ -157,27 +158,29 @@ checkScanRidgeSettings(const ScanRidgeSettings& settings)
 {
   const std::size_t least = settings.closed ? 3 : 2;
   if (settings.rough_points.size() < least)
-    return {StatusCode::InvalidInput, textOf("there are ", settings.rough_points.size(), " rough points; ",
-                                             settings.closed ? "a closed ridge needs three" : "a ridge needs two",
-                                             " or more: give places on it in their order along it (setRoughPoints)")};
+    return {StatusCode::InvalidInput, Diagnostic("there are ", settings.rough_points.size(), " rough points; ",
+                                                 settings.closed ? "a closed ridge needs three" : "a ridge needs two",
+                                                 " or more: give places on it in their order along it ({setRoughPoints})")};
   for (std::size_t i = 0; i < settings.rough_points.size(); ++i) {
     if (!settings.rough_points[i].allFinite())
-      return {StatusCode::InvalidInput, textOf("rough point ", i, " is not finite: remove it (setRoughPoints)")};
+      return {StatusCode::InvalidInput, Diagnostic("rough point ", i, " is not finite: remove it ({setRoughPoints})")};
     const std::size_t before = i > 0 ? i - 1 : settings.rough_points.size() - 1;
     if ((i > 0 || settings.closed) && settings.rough_points[i] == settings.rough_points[before])
-      return {StatusCode::InvalidInput, textOf("rough points ", before, " and ", i, " are both at ", placeText(settings.rough_points[i]),
-                                               ": remove one of them (setRoughPoints)")};
+      return {StatusCode::InvalidInput, Diagnostic("rough points ", before, " and ", i, " are both at ", Place(settings.rough_points[i]),
+                                                   ": remove one of them ({setRoughPoints})")};
   }
   if (!(settings.half_width > 0.0) || !std::isfinite(settings.half_width))
-    return {StatusCode::InvalidArgument, textOf("the half width is ", settings.half_width,
-                                                " mm: set how far the generator reaches to either side of the crest (setHalfWidth)")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the half width is ", settings.half_width,
+                       " {mm}: set how far the generator reaches to either side of the crest ({setHalfWidth})")};
   if (!settings.reference.allFinite() || !(settings.reference.norm() > 0.0))
-    return {StatusCode::InvalidArgument, "the reference normal has no direction: set a vector such as (0, 0, 1) (setReferenceNormal)"};
+    return {StatusCode::InvalidArgument, "the reference normal has no direction: set a vector such as (0, 0, 1) ({setReferenceNormal})"};
   if (!(settings.point_spacing >= 0.0) || !std::isfinite(settings.point_spacing))
-    return {StatusCode::InvalidArgument, textOf("the point spacing is ", settings.point_spacing,
-                                                " mm: set it above 0, or 0 for twice that of the scan (setPointSpacing)")};
+    return {StatusCode::InvalidArgument, Diagnostic("the point spacing is ", settings.point_spacing,
+                                                    " {mm}: set it above 0, or 0 for twice that of the scan ({setPointSpacing})")};
   if (settings.most_rounds < 1)
-    return {StatusCode::InvalidArgument, textOf("the limit of rounds is ", settings.most_rounds, ": set 1 or more (setMaximumIterations)")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the limit of rounds is ", settings.most_rounds, ": set 1 or more ({setMaximumIterations})")};
   return Status::success();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/ridge/ridge_surface.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <pcl/conversions.h>
 #include <pcl/point_types.h>
@@ -147,18 +147,18 @@ ridgeMesh(const RidgeSurface& surface, double chord_error, RidgeMesh& mesh)
 {
   mesh = {};
   if (!(chord_error > 0.0) || !std::isfinite(chord_error))
-    return {StatusCode::InvalidArgument, textOf("the chord error of the ridge's mesh is ", chord_error, " mm: set it above 0")};
+    return {StatusCode::InvalidArgument, Diagnostic("the chord error of the ridge's mesh is ", chord_error, " {mm}: set it above 0")};
   const Bending bending = largestBending(surface);
   const Cells cells = cellsFor(surface, bending, chord_error), fewest = cellsFor(surface, bending, std::numeric_limits<double>::infinity());
   if (fewest.faces() > most_faces)
     return {StatusCode::InvalidInput,
-            textOf("a ridge ", surface.rail().length(), " mm long and ", surface.generator().length(), " mm wide needs ", fewest.faces(),
-                   " faces, but at most ", most_faces, " are possible: make it in pieces")};
+            Diagnostic("a ridge ", surface.rail().length(), " {mm} long and ", surface.generator().length(), " {mm} wide needs ",
+                       fewest.faces(), " faces, but at most ", most_faces, " are possible: make it in pieces")};
   if (cells.faces() > most_faces) { // their number is proportional to 1 / chord error
     constexpr double rounded_up = 1.1;
     return {StatusCode::InvalidArgument,
-            textOf("a chord error of ", chord_error, " mm needs ", cells.faces(), " faces, but at most ", most_faces,
-                   " are possible: raise it to ", rounded_up * chord_error * cells.faces() / most_faces, " mm")};
+            Diagnostic("a chord error of ", chord_error, " {mm} needs ", cells.faces(), " faces, but at most ", most_faces,
+                       " are possible: raise it to ", rounded_up * chord_error * cells.faces() / most_faces, " {mm}")};
   }
   mesh.along = static_cast<std::size_t>(cells.along);
   mesh.across = static_cast<std::size_t>(cells.across);

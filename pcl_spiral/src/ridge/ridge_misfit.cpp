@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_misfit.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,11 +36,11 @@ findMisfit(SectionRounds& rounds, double half_width, ScanRidgeReport& report)
     report.largest_place = rounds.rail().position(u) + frame->turned(profile.line.position(worst_cell));
   if (report.misfit > std::max(much * report.noise, smallest * half_width) ||
       report.largest_misfit > std::max(far * report.noise, smallest * half_width))
-    report.warnings.push_back(textOf("the part differs from the surface that the generator sweeps by ", report.misfit, " mm rms, and by ",
-                                     report.largest_misfit, " mm at ", placeText(report.largest_place), "; the noise of the scan is ",
-                                     report.noise,
-                                     " mm: its profile changes shape along the ridge; make the ridge in pieces, or set a "
-                                     "smaller half width (setHalfWidth)"));
+    report.warnings.push_back(Diagnostic("the part differs from the surface that the generator sweeps by ", report.misfit,
+                                         " {mm} rms, and by ", report.largest_misfit, " {mm} at ", Place(report.largest_place),
+                                         "; the noise of the scan is ", report.noise,
+                                         " {mm}: its profile changes shape along the ridge; make the ridge in pieces, or set a "
+                                         "smaller half width ({setHalfWidth})"));
 }
 
 } // namespace pcl_spiral

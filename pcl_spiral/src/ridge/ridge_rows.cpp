@@ -4,12 +4,11 @@
 #include "ridge_row.h"
 #include "row_metric.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <utility>
 
 namespace pcl_spiral {
@@ -18,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 Status
-invalid(const std::string& message)
+invalid(const Diagnostic& message)
 {
   return {StatusCode::InvalidArgument, message};
 }
@@ -30,28 +29,28 @@ checkSettings(const RidgeRowSettings& s)
 {
   const int told = (s.step_over != 0.0) + (s.spot_size != 0.0) + (s.tool_radius != 0.0);
   if (told != 1)
-    return invalid(
-        textOf(told == 0 ? "no setting defines" : "more than one setting defines",
-               " how far rows are apart: set the step-over (setStepOver), or the spot (setSpot), or ball and scallop height (setScallop)"));
+    return invalid(Diagnostic(
+        told == 0 ? "no setting defines" : "more than one setting defines",
+        " how far rows are apart: set the step-over ({setStepOver}), or the spot ({setSpot}), or ball and scallop height ({setScallop})"));
   for (const auto& [name, length] :
        {std::pair("step-over", s.step_over), std::pair("spot", s.spot_size), std::pair("tool radius", s.tool_radius),
         std::pair("spacing of points", s.point_spacing), std::pair("chord error", s.chord_error), std::pair("run-in", s.run_in),
         std::pair("run-out", s.run_out)})
     if (!(length >= 0.0 && length <= longest))
-      return invalid(textOf("the ", name, " is ", length, " mm: set it from 0 to ", longest, " mm"));
+      return invalid(Diagnostic("the ", name, " is ", length, " {mm}: set it from 0 to ", longest, " {mm}"));
   if (!(s.overlap >= 0.0 && s.overlap < 1.0))
-    return invalid(textOf("the overlap is ", s.overlap, ": set it from 0 to below 1 (setSpot)"));
+    return invalid(Diagnostic("the overlap is ", s.overlap, ": set it from 0 to below 1 ({setSpot})"));
   if (s.tool_radius > 0.0 && !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
-    return invalid(textOf("the scallop height is ", s.scallop_height, " mm: set it above 0 and below the tool radius, ", s.tool_radius,
-                          " mm (setScallop)"));
+    return invalid(Diagnostic("the scallop height is ", s.scallop_height, " {mm}: set it above 0 and below the tool radius, ",
+                              s.tool_radius, " {mm} ({setScallop})"));
   if (!(s.point_spacing > 0.0))
-    return invalid(textOf("the spacing of points is ", s.point_spacing, " mm: set it above 0 (setPointSpacing)"));
+    return invalid(Diagnostic("the spacing of points is ", s.point_spacing, " {mm}: set it above 0 ({setPointSpacing})"));
   if (!(s.stand_off >= 0.0 && s.stand_off <= longest))
-    return invalid(textOf("the stand-off is ", s.stand_off, " mm: set it from 0 to ", longest,
-                          " mm (setStandOff); for the other side of the ridge "
-                          "flip the normals (setFlipNormals)"));
+    return invalid(Diagnostic("the stand-off is ", s.stand_off, " {mm}: set it from 0 to ", longest,
+                              " {mm} ({setStandOff}); for the other side of the ridge "
+                              "flip the normals ({setFlipNormals})"));
   if (!(std::abs(s.lead) < 90.0) || !(std::abs(s.tilt) < 90.0))
-    return invalid(textOf("lead and tilt are ", s.lead, " and ", s.tilt, " degrees: set them below 90 (setLead, setTilt)"));
+    return invalid(Diagnostic("lead and tilt are ", s.lead, " and ", s.tilt, " {degrees}: set them below 90 ({setLead}, {setTilt})"));
   return Status::success();
 }
 
@@ -89,8 +88,8 @@ planRidgeRows(const RidgeSurface& surface, const RidgeRowSettings& settings, Dri
   constexpr double most_points = 2e7;
   const double row = (along_rail ? surface.rail() : surface.generator()).length() + settings.run_in + settings.run_out;
   if (static_cast<double>(places.size()) * row / settings.point_spacing > most_points)
-    return invalid(
-        textOf("the rows would have more than ", most_points, " points: raise the spacing of points (setPointSpacing) or the step-over"));
+    return invalid(Diagnostic("the rows would have more than ", most_points,
+                              " points: raise the spacing of points ({setPointSpacing}) or the step-over"));
   std::vector<RidgeRow> rows(places.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::int64_t k = 0; k < static_cast<std::int64_t>(places.size()); ++k)
@@ -98,10 +97,10 @@ planRidgeRows(const RidgeSurface& surface, const RidgeRowSettings& settings, Dri
   for (RidgeRow& made : rows) {
     passes.push_back(std::move(made.pass));
     if (made.backwards && report.warnings.empty())
-      report.warnings.push_back(textOf("at ", placeText(*made.backwards),
-                                       " the ridge is hollow with a smaller radius than the stand-off of ", settings.stand_off,
-                                       " mm: the tool runs backwards there, and comes near the other side; set a smaller "
-                                       "stand-off (setStandOff)"));
+      report.warnings.push_back(Diagnostic("at ", Place(*made.backwards),
+                                           " the ridge is hollow with a smaller radius than the stand-off of ", settings.stand_off,
+                                           " {mm}: the tool runs backwards there, and comes near the other side; set a smaller "
+                                           "stand-off ({setStandOff})"));
   }
   report.rows = passes.size();
   for (const DrivePass& pass : passes) {

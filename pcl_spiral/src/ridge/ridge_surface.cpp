@@ -4,7 +4,7 @@
 
 #include "generator_place.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -98,14 +98,15 @@ RidgeSurface::checkRail()
     const std::optional<RidgeFrame> at = ridgeFrame(tangent, chord_);
     if (!at)
       return {StatusCode::InvalidInput,
-              textOf("the rail has a slope of ", slope / degree, " degrees at ", placeText(rail_.position(u)),
-                     "; a generator with its chord at ", std::abs(report_.chord_angle), " degrees allows at most ", limit / degree,
-                     ": set a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
+              Diagnostic("the rail has a slope of ", slope / degree, " {degrees} at ", Place(rail_.position(u)),
+                         "; a generator with its chord at ", std::abs(report_.chord_angle), " {degrees} allows at most ", limit / degree,
+                         ": set a reference normal across the rail ({setReferenceNormal}), or make the ridge in pieces")};
     if (slope / degree > upright || (before && std::acos(std::clamp(before->chord.dot(at->chord), -1.0, 1.0)) / degree > most_turn))
-      return {StatusCode::InvalidInput,
-              textOf("the rail is upright, along the reference normal, at ", placeText(rail_.position(u)),
+      return {
+          StatusCode::InvalidInput,
+          Diagnostic("the rail is upright, along the reference normal, at ", Place(rail_.position(u)),
                      ": the generator would turn over to "
-                     "the other side there; set a reference normal across the rail (setReferenceNormal), or make the ridge in pieces")};
+                     "the other side there; set a reference normal across the rail ({setReferenceNormal}), or make the ridge in pieces")};
     before = at;
     if (slope / degree > report_.largest_slope) {
       report_.largest_slope = slope / degree;
@@ -125,16 +126,16 @@ RidgeSurface::warnOfSlope(const Vector3d& sensitive)
 {
   constexpr double much = 5.0; // factor by which an error across the slope turns the chord; the same limit holds for tan(slope)
   if (report_.slope_factor > much)
-    report_.warnings.push_back(textOf("at ", placeText(sensitive), " an error of the rail's slope turns the generator by ",
-                                      report_.slope_factor,
-                                      " times that error: measure the rail closely there, or set a reference normal across the rail "
-                                      "(setReferenceNormal)"));
+    report_.warnings.push_back(Diagnostic("at ", Place(sensitive), " an error of the rail's slope turns the generator by ",
+                                          report_.slope_factor,
+                                          " times that error: measure the rail closely there, or set a reference normal across the rail "
+                                          "({setReferenceNormal})"));
   else if (std::tan(report_.largest_slope * degree) > much)
-    report_.warnings.push_back(textOf("the rail is nearly upright at ", placeText(report_.steepest_place), ", with a slope of ",
-                                      report_.largest_slope, " degrees: an error of its direction turns the generator by ",
-                                      std::tan(report_.largest_slope * degree),
-                                      " times that error; set a reference normal across the rail "
-                                      "(setReferenceNormal)"));
+    report_.warnings.push_back(Diagnostic("the rail is nearly upright at ", Place(report_.steepest_place), ", with a slope of ",
+                                          report_.largest_slope, " {degrees}: an error of its direction turns the generator by ",
+                                          std::tan(report_.largest_slope * degree),
+                                          " times that error; set a reference normal across the rail "
+                                          "({setReferenceNormal})"));
 }
 
 /** The surface folds where 1 + omega2 c - omega3 b <= 0: the share of its length along the rail. */
@@ -159,9 +160,9 @@ RidgeSurface::checkFolds()
   if (report_.least_stretch > 0.0)
     return Status::success();
   const double offset = generator_.position(worst_v).tail<2>().norm();
-  return {StatusCode::InvalidInput, textOf("the ridge folds at ", placeText(position(worst_u, worst_v)), ": the generator reaches ", offset,
-                                           " mm from the rail, but at most ", offset / (1.0 - report_.least_stretch),
-                                           " mm are possible there, where the rail bends: measure a shorter generator")};
+  return {StatusCode::InvalidInput, Diagnostic("the ridge folds at ", Place(position(worst_u, worst_v)), ": the generator reaches ", offset,
+                                               " {mm} from the rail, but at most ", offset / (1.0 - report_.least_stretch),
+                                               " {mm} are possible there, where the rail bends: measure a shorter generator")};
 }
 
 Status
@@ -198,14 +199,14 @@ RidgeSurface::warnOfMeeting(const MeasuredLine& rail, const MeasuredLine& genera
   constexpr double errors = 5.0, spacings = 6.0;
   const double sure = errors * (report_.rail_error + report_.generator_error) + rail.spacing + generator.spacing;
   if (report_.meeting_distance > sure)
-    report_.warnings.push_back(textOf("rail and generator are ", report_.meeting_distance, " mm apart where they are closest, at ",
-                                      placeText(report_.meeting_place),
-                                      ": the ridge runs through the generator there; if one of them was measured "
-                                      "in another place, measure it again"));
+    report_.warnings.push_back(Diagnostic("rail and generator are ", report_.meeting_distance, " {mm} apart where they are closest, at ",
+                                          Place(report_.meeting_place),
+                                          ": the ridge runs through the generator there; if one of them was measured "
+                                          "in another place, measure it again"));
   if (const double open = (rail.points.front() - rail.points.back()).norm(); !rail.closed && open < spacings * rail.spacing)
-    report_.warnings.push_back(textOf("the ends of the rail at ", placeText(rail.points.front()), " are only ", open, " mm apart, ",
-                                      open / rail.spacing,
-                                      " spacings: if it is a ring, measure the rest of it; it is used as an open line"));
+    report_.warnings.push_back(Diagnostic("the ends of the rail at ", Place(rail.points.front()), " are only ", open, " {mm} apart, ",
+                                          open / rail.spacing,
+                                          " spacings: if it is a ring, measure the rest of it; it is used as an open line"));
 }
 
 void
@@ -213,11 +214,11 @@ RidgeSurface::warnOfDirections()
 {
   constexpr double much = 2.0; // degrees
   if (report_.generator_direction > much || report_.rail_direction > much)
-    report_.warnings.push_back(textOf("the direction of the ", report_.generator_direction > much ? "generator" : "rail",
-                                      " is known to only ", std::max(report_.generator_direction, report_.rail_direction),
-                                      " degrees, because its points have an error of ",
-                                      report_.generator_direction > much ? report_.generator_error : report_.rail_error,
-                                      " mm: normals and tool axes have the same error; measure it with more points or a better probe"));
+    report_.warnings.push_back(
+        Diagnostic("the direction of the ", report_.generator_direction > much ? "generator" : "rail", " is known to only ",
+                   std::max(report_.generator_direction, report_.rail_direction), " {degrees}, because its points have an error of ",
+                   report_.generator_direction > much ? report_.generator_error : report_.rail_error,
+                   " {mm}: normals and tool axes have the same error; measure it with more points or a better probe"));
 }
 
 Status
@@ -256,10 +257,10 @@ RidgeSurface::make(const Polyline& rail, const Polyline& generator, const RidgeS
 {
   result.reset();
   if (!settings.reference.allFinite() || !(settings.reference.norm() > 0.0))
-    return {StatusCode::InvalidArgument, "the reference normal has no direction: set a vector such as (0, 0, 1) (setReferenceNormal)"};
+    return {StatusCode::InvalidArgument, "the reference normal has no direction: set a vector such as (0, 0, 1) ({setReferenceNormal})"};
   if (!(settings.measuring_error >= 0.0) || !std::isfinite(settings.measuring_error))
-    return {StatusCode::InvalidArgument,
-            textOf("the measuring error is ", settings.measuring_error, " mm: set it above 0, or 0 to have it found (setMeasuringError)")};
+    return {StatusCode::InvalidArgument, Diagnostic("the measuring error is ", settings.measuring_error,
+                                                    " {mm}: set it above 0, or 0 to have it found ({setMeasuringError})")};
   const auto made = std::make_shared<RidgeSurface>();
   made->settings_ = settings;
   made->settings_.reference.normalize();

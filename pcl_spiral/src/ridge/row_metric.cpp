@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "row_metric.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <Eigen/Dense>
@@ -67,8 +67,8 @@ public:
         const auto found = stepOver(settings_.tool_radius, here.curvature, settings_.scallop_height);
         if (!found)
           return {StatusCode::InvalidInput,
-                  textOf("the ridge is hollow with radius ", -1.0 / here.curvature, " mm at ", placeText(surface_.position(u, v)),
-                         ", tighter than the tool radius ", settings_.tool_radius, " mm: use a smaller tool")};
+                  Diagnostic("the ridge is hollow with radius ", -1.0 / here.curvature, " {mm} at ", Place(surface_.position(u, v)),
+                             ", tighter than the tool radius ", settings_.tool_radius, " {mm}: use a smaller tool")};
         step = *found;
       }
       rows = std::max(rows, here.widening / step);
@@ -105,7 +105,7 @@ rowPlaces(const RidgeSurface& surface, const RidgeRowSettings& settings, std::ve
   constexpr double most_rows = 1e6;
   if (count > most_rows)
     return {StatusCode::InvalidArgument,
-            textOf("the ridge needs ", count, " rows, but at most ", most_rows, " are possible: raise the step-over")};
+            Diagnostic("the ridge needs ", count, " rows, but at most ", most_rows, " are possible: raise the step-over")};
   const double first = line.closed() ? 0.0 : 0.5; // half a step from the edges
   places.clear();
   std::size_t at = 1;

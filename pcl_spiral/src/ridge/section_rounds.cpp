@@ -3,7 +3,7 @@
 
 #include "rail_step.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <Eigen/Geometry>
@@ -76,9 +76,10 @@ SectionRounds::place()
     if (!ridgeFrame(rail_stations_.tangent(i), band_.chord))
       return {
           StatusCode::InvalidInput,
-          textOf("the ridge is too steep at ", placeText(rail_stations_.position(i)), " for a chord at ",
-                 std::asin(std::clamp(band_.chord.sin_angle, -1.0, 1.0)) * 180.0 / pi,
-                 " degrees to the reference plane: set a reference normal across the ridge (setReferenceNormal), or make it in pieces")};
+          Diagnostic(
+              "the ridge is too steep at ", Place(rail_stations_.position(i)), " for a chord at ",
+              std::asin(std::clamp(band_.chord.sin_angle, -1.0, 1.0)) * 180.0 / pi,
+              " {degrees} to the reference plane: set a reference normal across the ridge ({setReferenceNormal}), or make it in pieces")};
   placePoints(rail_stations_, band_);
   section_points_ = pointsBySection(band_, count_, length_);
   return Status::success();
@@ -217,9 +218,10 @@ SectionRounds::moveRail(const std::vector<SectionShift>& shifts, const Vector3d&
   const bool closed = band_.rail.closed();
   std::vector<SectionShift> all;
   if (const std::optional<std::size_t> missing = allShifts(shifts, closed, all))
-    return {StatusCode::InvalidInput, textOf("the band of the ridge has too few points of the scan, or no bend, at ",
-                                             placeText(band_.rail.position(stationOf(*missing))),
-                                             ": choose rough points where the ridge was scanned, or a larger half width (setHalfWidth)")};
+    return {StatusCode::InvalidInput,
+            Diagnostic("the band of the ridge has too few points of the scan, or no bend, at ",
+                       Place(band_.rail.position(stationOf(*missing))),
+                       ": choose rough points where the ridge was scanned, or a larger half width ({setHalfWidth})")};
   std::vector<RidgeFrame> frames;
   for (std::size_t i = 0; i < count_; ++i)
     frames.push_back(ridgeFrame(band_.rail.tangent(stationOf(i)), band_.chord).value_or(RidgeFrame()));
@@ -249,8 +251,8 @@ SectionRounds::round()
   Polyline generator;
   Vector3d gauge;
   if (!meanSection(found, generator, gauge))
-    return {StatusCode::InvalidInput, textOf("the sections at ", placeText(band_.rail.position(0.5 * band_.rail.length())),
-                                             " have no common part about the crest: is the whole band of the ridge on the scan?")};
+    return {StatusCode::InvalidInput, Diagnostic("the sections at ", Place(band_.rail.position(0.5 * band_.rail.length())),
+                                                 " have no common part about the crest: is the whole band of the ridge on the scan?")};
   if (const Status status = moveRail(found, gauge); !status.ok())
     return status;
   setGenerator(generator);
@@ -285,10 +287,10 @@ SectionRounds::run(const ProgressCallback& progress)
       return place();
   }
   return {StatusCode::InvalidInput,
-          textOf("after ", settings_.most_rounds, " rounds the rail at ", placeText(band_.rail.position(0.5 * band_.rail.length())),
-                 " still moves by ", last_move_, " mm a round, more than the limit of ", still_,
-                 " mm: the sections have no common shape; "
-                 "set a smaller half width (setHalfWidth), use a part of the ridge, or allow more rounds (setMaximumIterations)")};
+          Diagnostic("after ", settings_.most_rounds, " rounds the rail at ", Place(band_.rail.position(0.5 * band_.rail.length())),
+                     " still moves by ", last_move_, " {mm} a round, more than the limit of ", still_,
+                     " {mm}: the sections have no common shape; "
+                     "set a smaller half width ({setHalfWidth}), use a part of the ridge, or allow more rounds ({setMaximumIterations})")};
 }
 
 } // namespace pcl_spiral

@@ -6,7 +6,7 @@
 #include "spiral/path/path_feet.h"
 
 #include "common/stoppable_loop.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/core/prism.h>
@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <utility>
 
 namespace pcl_spiral {
@@ -35,41 +34,42 @@ constexpr double known_outline = 1.25;  // spacings: an outline is known to one,
 constexpr double most_turns = 1u << 24; // a float tells no two turns apart above that
 
 Status
-invalid(std::string message)
+invalid(Diagnostic message)
 {
   return {StatusCode::InvalidArgument, std::move(message)};
 }
 
 /** Ok, or an error if passes do not begin in order, or have one point, in a path of \p size points. */
 Status
-checkPasses(const std::vector<std::size_t>& passes, std::size_t size, const std::string& what)
+checkPasses(const std::vector<std::size_t>& passes, std::size_t size, const Diagnostic& what)
 {
   std::size_t before = 0;
   for (const std::size_t begin : passes) {
     if (begin < before + 2 || begin + 2 > size)
-      return invalid(textOf(what, " has a pass that begins at point ", begin, " behind one that begins at point ", before, ", of ", size,
-                            " points: give the first points of the second and each later pass in their order, and two points or more for "
-                            "each pass"));
+      return invalid(
+          Diagnostic(what, " has a pass that begins at point ", begin, " behind one that begins at point ", before, ", of ", size,
+                     " points: give the first points of the second and each later pass in their order, and two points or more for "
+                     "each pass"));
     before = begin;
   }
-  return size < 2 ? invalid(what + " has one point: give two or more") : Status::success();
+  return size < 2 ? invalid(Diagnostic(what, " has one point: give two or more")) : Status::success();
 }
 
 /** Ok, or an error if \p path cannot be sampled. Turns that are not given are 0. */
 Status
-checkLinked(LinkedPath& path, const std::string& what)
+checkLinked(LinkedPath& path, const Diagnostic& what)
 {
   const std::size_t n = path.points.size();
   if (n == 0)
-    return {StatusCode::InvalidInput, what + " has no points: look at what made it, or take it back"};
+    return {StatusCode::InvalidInput, Diagnostic(what, " has no points: look at what made it, or take it back")};
   if (path.turns.empty())
     path.turns.assign(n, 0.0f);
   if (path.turns.size() != n)
-    return invalid(textOf(what, " has ", n, " points and ", path.turns.size(), " turns: give one for each point, or none"));
+    return invalid(Diagnostic(what, " has ", n, " points and ", path.turns.size(), " turns: give one for each point, or none"));
   for (std::size_t i = 0; i < n; ++i)
     if (!path.points[i].allFinite() || !(std::abs(path.turns[i]) < most_turns))
-      return invalid(textOf("point ", i, " of ", what, " is ", placeText(path.points[i]), " in turn ", path.turns[i],
-                            ": remove it, or give finite numbers"));
+      return invalid(Diagnostic("point ", i, " of ", what, " is ", Place(path.points[i]), " in turn ", path.turns[i],
+                                ": remove it, or give finite numbers"));
   return checkPasses(path.passes, n, what);
 }
 
@@ -94,8 +94,8 @@ closer(const LinkedPath& path, double spacing, LinkedPath& close)
   for (std::size_t i = 1; i < path.points.size(); ++i)
     count += std::ceil((path.points[i] - path.points[i - 1]).norm() / spacing);
   if (!(count < most_path_points))
-    return invalid(textOf("the curve needs ", count, " points to follow the surface, more than ", most_path_points,
-                          ": is it in the unit of the scan, mm?"));
+    return invalid(Diagnostic("the curve needs ", count, " points to follow the surface, more than ", most_path_points,
+                              ": is it in the unit of the {scan}, {mm}?"));
   close = LinkedPath();
   close.basis = path.basis;
   for (std::size_t i = 0; i < path.points.size(); ++i) {
@@ -129,8 +129,8 @@ follow(const Surface& surface, LinkedPath& path)
     pathFeet(surface, queries, feet);
     for (std::size_t i = begin; i < end; ++i) {
       if (!feet[i - begin].valid)
-        return {StatusCode::Failed, "the curve is off the scanned surface at " + placeText(path.points[i]) +
-                                        ": move it onto the surface, or begin a pass behind that place, where the tool is lifted"};
+        return {StatusCode::Failed, Diagnostic("the curve is off the {scanned surface} at ", Place(path.points[i]),
+                                               ": move it onto the surface, or begin a pass behind that place, where the tool is lifted")};
       path.points[i] = feet[i - begin].position;
     }
   }
@@ -174,8 +174,8 @@ checkHoles(const LinkedPath& path, const std::vector<BoundaryLoop>& boundaries, 
       if (box.exteriorDistance(p) > near || !prism.contains(p))
         continue;
       if ((edge.position(edge.nearest(p)) - p).norm() > known_outline * spacing)
-        return {StatusCode::Failed, "the path runs into a hole of the part, or nearer to it than its margin, at " + placeText(p) +
-                                        ": lead it round the hole, or set the path to run over holes (setHoleHandling)"};
+        return {StatusCode::Failed, Diagnostic("the path runs into a hole of the part, or nearer to it than its margin, at ", Place(p),
+                                               ": lead it round the hole, or set the path to run over holes ({setHoleHandling})")};
     }
   }
   return Status::success();
@@ -183,7 +183,7 @@ checkHoles(const LinkedPath& path, const std::vector<BoundaryLoop>& boundaries, 
 
 /** Ok, or an error if \p rims, on which \p what was made, are not the \p boundaries. */
 Status
-checkRims(const std::vector<Polyline>& rims, const std::vector<BoundaryLoop>& boundaries, double spacing, const std::string& what)
+checkRims(const std::vector<Polyline>& rims, const std::vector<BoundaryLoop>& boundaries, double spacing, const Diagnostic& what)
 {
   std::vector<Polyline> outlines;
   for (const BoundaryLoop& loop : boundaries)
@@ -191,7 +191,7 @@ checkRims(const std::vector<Polyline>& rims, const std::vector<BoundaryLoop>& bo
       outlines.push_back(loop.curve);
   const std::vector<Eigen::Vector3f> made = pointsOn(rims, 0.5 * spacing), here = pointsOn(outlines, 0.5 * spacing);
   if (made.empty() || here.empty())
-    return invalid(what + " has no rim: make it again");
+    return invalid(Diagnostic(what, " has no rim: make it again"));
   const auto farFrom = [spacing](const std::vector<Eigen::Vector3f>& points, const PointBlocks& line) {
     return std::find_if(points.begin(), points.end(), [&](const Eigen::Vector3f& f) {
       const Vector3d p = f.cast<double>();
@@ -200,11 +200,11 @@ checkRims(const std::vector<Polyline>& rims, const std::vector<BoundaryLoop>& bo
   };
   const char* remedy = ": make it again on this surface, with the boundaries, rim and margin of this path";
   if (const auto off = farFrom(made, PointBlocks(here)); off != made.end())
-    return invalid(what + " was made on another surface or between other boundaries: it has a rim at " + placeText(off->cast<double>()) +
-                   ", where there is none" + remedy);
+    return invalid(Diagnostic(what, " was made on another surface or between other boundaries: it has a rim at ",
+                              Place(off->cast<double>()), ", where there is none", remedy));
   if (const auto off = farFrom(here, PointBlocks(made)); off != here.end())
-    return invalid(what + " was made on another surface or between other boundaries: it has no rim at " + placeText(off->cast<double>()) +
-                   ", where there is one" + remedy);
+    return invalid(Diagnostic(what, " was made on another surface or between other boundaries: it has no rim at ",
+                              Place(off->cast<double>()), ", where there is one", remedy));
   return Status::success();
 }
 
@@ -237,7 +237,7 @@ linkGiven(const GivenParts& given, const Surface& surface, const std::vector<Bou
 }
 
 /** What is wrong with point \p i of a path that was modified; empty if nothing is. */
-std::string
+Diagnostic
 faultOf(const SpiralPath& path, std::size_t i, const Surface& surface)
 {
   const auto unit = [](double squared) { return std::abs(squared - 1.0) < 1e-3; };
@@ -247,11 +247,11 @@ faultOf(const SpiralPath& path, std::size_t i, const Surface& surface)
   if (!(surface.normal(surface.graph().blocks().nearest(path.contacts[i])).dot(path.normals[i]) > 0.0))
     return "has a normal into the material";
   if (!(path.axes[i].cast<double>().dot(path.normals[i]) > std::sin(1.0 * degree)))
-    return "has a tool axis that leans 89 degrees or more from the normal";
+    return "has a tool axis that leans 89 {degrees} or more from the normal";
   if (!path.feet.empty()) {
     const double lift = (path.contacts[i] - path.feet[i]).norm();
     if (!(path.lifts[i] >= 0.0f) || !(std::abs(lift - path.lifts[i]) < 1e-3))
-      return textOf("is ", lift, " mm from its foot, but its lift is ", path.lifts[i], " mm");
+      return Diagnostic("is ", lift, " {mm} from its foot, but its lift is ", path.lifts[i], " {mm}");
   }
   return "";
 }
@@ -279,7 +279,7 @@ measureAxes(const SpiralPath& path, AxisFigures& figures)
 Status
 checkGivenParts(const GivenParts& given, const SpiralSettings& settings, bool lines_given)
 {
-  std::vector<std::string> names;
+  std::vector<const char*> names;
   const auto add = [&names](bool is_given, const char* name) {
     if (is_given)
       names.emplace_back(name);
@@ -291,12 +291,13 @@ checkGivenParts(const GivenParts& given, const SpiralSettings& settings, bool li
   add(given.curve.has_value(), "a curve");
   add(given.planner != nullptr, "a planner");
   if (names.size() > 1)
-    return invalid(names[0] + " and " + names[1] + " are given, but only one of them can make the path: take one back");
+    return invalid(Diagnostic(names[0], " and ", names[1], " are given, but only one of them can make the path: take one back"));
   if (given.empty())
     return Status::success();
   if (settings.method != SpiralMethod::Shortest && settings.method != SpiralMethod::ConstantScallop)
-    return invalid(names[0] + " must not be given to the radial or the published method, which makes the whole path: take it back, or "
-                              "choose constant scallop height (setMethod)");
+    return invalid(Diagnostic(names[0],
+                              " must not be given to the radial or the published method, which makes the whole path: take it back, or "
+                              "choose constant scallop height ({setMethod})"));
   SpiralSettings as_checked = settings; // centre, lines and pitch belong to another path
   as_checked.method = SpiralMethod::ConstantScallop;
   if (const Status status = checkSettings(as_checked); !status.ok())
@@ -358,23 +359,23 @@ modifyPath(const std::vector<std::shared_ptr<const PathModifier>>& modifiers, co
 {
   for (std::size_t m = 0; m < modifiers.size(); ++m) {
     if (!modifiers[m])
-      return invalid(textOf("modifier ", m, " is a null pointer: give a modifier, or leave it out"));
+      return invalid(Diagnostic("modifier ", m, " is a null pointer: give a modifier, or leave it out"));
     if (const Status status = modifiers[m]->modify(surface, settings, path); !status.ok())
       return status;
     const std::size_t n = path.contacts.size();
     const std::size_t sizes[] = {path.normals.size(), path.axes.size(), path.turns.size(), path.over_gap.size()};
     for (const std::size_t size : sizes)
       if (size != n)
-        return invalid(textOf("a modifier left a path with ", n, " contacts, ", sizes[0], " normals, ", sizes[1], " axes, ", sizes[2],
-                              " turns and ", sizes[3], " marks of gaps: keep one of each for every contact"));
+        return invalid(Diagnostic("a modifier left a path with ", n, " contacts, ", sizes[0], " normals, ", sizes[1], " axes, ", sizes[2],
+                                  " turns and ", sizes[3], " marks of gaps: keep one of each for every contact"));
     if (path.feet.size() != path.lifts.size() || (!path.feet.empty() && path.feet.size() != n))
-      return invalid(textOf("a modifier left a path with ", n, " contacts, ", path.feet.size(), " feet and ", path.lifts.size(),
-                            " lifts: keep one of each for every contact, or none"));
+      return invalid(Diagnostic("a modifier left a path with ", n, " contacts, ", path.feet.size(), " feet and ", path.lifts.size(),
+                                " lifts: keep one of each for every contact, or none"));
     if (n == 0)
       return invalid("a modifier left a path without points: refuse such a path in the modifier");
     for (std::size_t i = 0; i < n; ++i)
-      if (const std::string fault = faultOf(path, i, surface); !fault.empty())
-        return invalid(textOf("a modifier left a path that is wrong: point ", i, ", ", placeText(path.contacts[i]), ", ", fault));
+      if (const Diagnostic fault = faultOf(path, i, surface); !fault.empty())
+        return invalid(Diagnostic("a modifier left a path that is wrong: point ", i, ", ", Place(path.contacts[i]), ", ", fault));
     if (const Status status = checkPasses(path.passes, n, "the modified path"); !status.ok())
       return status;
   }

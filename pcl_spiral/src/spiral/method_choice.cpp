@@ -3,7 +3,7 @@
 
 #include "geodesic/distance_field.h"
 #include "spiral/lines/surface_centre.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/search/impl/point_selection.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
@@ -123,17 +123,17 @@ unevenness(const SurfaceGraph& graph, const MlsSurface& surface, const BoundaryL
 }
 
 /** Why turns at equal shares of radial lines are not suitable; empty if they are. */
-std::string
+Diagnostic
 whyNotRadial(const BoundaryLoop& rim, const std::vector<const BoundaryLoop*>& holes, const SpiralSettings& settings)
 {
   if (!holes.empty() && settings.hole_margin > 0.0)
     return "a radial path about a hole begins at the hole, but a hole margin is set";
   if (holes.size() > 1)
-    return textOf("the surface has ", holes.size(), " holes");
+    return Diagnostic("the surface has ", holes.size(), " holes");
   if (!rim.corners.empty())
-    return textOf("the rim has a corner at ", placeText(rim.curve[rim.corners.front()]));
+    return Diagnostic("the rim has a corner at ", Place(rim.curve[rim.corners.front()]));
   if (!holes.empty() && !holes.front()->corners.empty())
-    return textOf("the hole has a corner at ", placeText(holes.front()->curve[holes.front()->corners.front()]));
+    return Diagnostic("the hole has a corner at ", Place(holes.front()->curve[holes.front()->corners.front()]));
   return {};
 }
 

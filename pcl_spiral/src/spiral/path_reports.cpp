@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/stage_reports.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <utility>
 
@@ -22,20 +22,21 @@ reportSpacing(const PathFigures& path, SpiralReport& report)
   }
   report.reversals = path.reversals.count;
   if (path.reversals.at_corners > 0)
-    report.warnings.push_back(reversalText(path.reversals) + ": the outline has corners as sharp; constant scallop height (setMethod) "
-                                                             "goes into them with fewer turns");
+    report.warnings.push_back(Diagnostic(reversalText(path.reversals),
+                                         ": the outline has corners as sharp; constant scallop height ({setMethod}) "
+                                         "goes into them with fewer turns"));
   if (!(report.least_length > 0.0) || !(report.path_length > 0.0))
     return;
   report.efficiency = report.least_length / report.path_length;
   if (report.efficiency >= least_efficiency)
     return;
-  std::string warning =
-      textOf("the path is ", 1.0 / report.efficiency, " times as long as the least at this scallop height over the whole surface");
+  Diagnostic warning =
+      Diagnostic("the path is ", 1.0 / report.efficiency, " times as long as the least at this scallop height over the whole surface");
   if (neighbours)
-    warning += textOf("; turns are closest at ", placeText(path.closest.place), ": ", path.closest.distance, " mm apart, where up to ",
-                      report.largest_step_over, " mm are allowed");
+    warning += Diagnostic("; turns are closest at ", Place(path.closest.place), ": ", path.closest.distance, " {mm} apart, where up to ",
+                          report.largest_step_over, " {mm} are allowed");
   if (report.method != SpiralMethod::ConstantScallop)
-    warning += "; constant scallop height (setMethod) usually makes a shorter path";
+    warning += "; constant scallop height ({setMethod}) usually makes a shorter path";
   report.warnings.push_back(warning);
 }
 
@@ -44,7 +45,7 @@ putBackRadial(const Status& status, const SpiralTurns& turns, const SpiralReport
 {
   if (!status.ok() && status.code() != StatusCode::Failed)
     return false;
-  std::string why = status.message();
+  Diagnostic why = status.diagnostic();
   if (status.ok()) {
     const PathReversals reversals = curveReversals(turns.curve);
     if (reversals.count == 0)
@@ -55,7 +56,7 @@ putBackRadial(const Status& status, const SpiralTurns& turns, const SpiralReport
   report = before;
   report.stages = std::move(stages);
   report.warnings.push_back(
-      "the path was made at constant scallop height, though the radial method was foreseen to take less time: with it, " + why);
+      Diagnostic("the path was made at constant scallop height, though the radial method was foreseen to take less time: with it, ", why));
   return true;
 }
 
@@ -63,9 +64,9 @@ Status
 neitherMethod(const Status& scallop, const Status& radial)
 {
   return {StatusCode::Failed,
-          "both methods fail here, so the other one (setMethod) is no remedy: cut the part into pieces (PartRegion), scan "
-          "it more densely, or take another scallop height (setScallopHeight). At constant scallop height: " +
-              scallop.message() + ". With radial lines: " + radial.message()};
+          Diagnostic("both methods fail here, so the other one ({setMethod}) is no remedy: cut the part into pieces ({PartRegion}), scan "
+                     "it more densely, or take another scallop height ({setScallopHeight}). At constant scallop height: ",
+                     scallop.diagnostic(), ". With radial lines: ", radial.diagnostic())};
 }
 
 } // namespace pcl_spiral

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_warnings.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <algorithm>
@@ -30,28 +30,30 @@ largestRounding(const Box& box)
 
 } // namespace
 
-std::vector<std::string>
+Diagnostics
 scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings)
 {
   constexpr double smallest = 1.0, largest = 1e5; // mm across
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   const double across = graph.blocks().box().diagonal(), spacing = graph.spacing();
   if (across < smallest || across > largest)
-    warnings.push_back(textOf("the scan is ", across, " mm across: is it in another unit? Scale it to mm"));
+    warnings.push_back(Diagnostic("the {scan} is ", across, " {mm} across: is it in another unit? {Scale it to mm}"));
   if (const auto step = stepOver(settings.tool_radius, 0.0, settings.scallop_height); step && *step > 0.5 * across)
-    warnings.push_back(textOf("turns would lie ", *step, " mm apart, but the scan is only ", across,
-                              " mm across: the path would have only one or two turns; check the unit of the scan, the tool radius (",
-                              settings.tool_radius, " mm) and the scallop height (", settings.scallop_height, " mm)"));
+    warnings.push_back(
+        Diagnostic("turns would lie ", *step, " {mm} apart, but the {scan} is only ", across,
+                   " {mm} across: the path would have only one or two turns; check the unit of the {scan}, the tool radius (",
+                   settings.tool_radius, " {mm}) and the scallop height (", settings.scallop_height, " {mm})"));
   if (const double rounding = largestRounding(graph.blocks().box()); rounding > rounded_share * settings.chord_error)
-    warnings.push_back(textOf("coordinates of the scan are so large that single precision rounds its points, and those of the path, by up "
-                              "to ",
-                              rounding, " mm, and the chord error is ", settings.chord_error,
-                              " mm: move the scan nearer to (0, 0, 0), or allow a larger chord error (setChordError)"));
+    warnings.push_back(
+        Diagnostic("coordinates of the {scan} are so large that single precision rounds its points, and those of the path, by up "
+                   "to ",
+                   rounding, " {mm}, and the chord error is ", settings.chord_error,
+                   " {mm}: move the {scan} nearer to (0, 0, 0), or allow a larger chord error ({setChordError})"));
   if (spacing > 2.0 * settings.tool_radius)
-    warnings.push_back(textOf("the points of the scan lie ", spacing, " mm apart, more than the cutter's width (",
-                              2.0 * settings.tool_radius,
-                              " mm): the scan does not show hollows between them, and the cutter may gouge there; check the unit of the "
-                              "scan, scan more densely or use a larger tool"));
+    warnings.push_back(
+        Diagnostic("the points of the {scan} lie ", spacing, " {mm} apart, more than the cutter's width (", 2.0 * settings.tool_radius,
+                   " {mm}): the {scan} does not show hollows between them, and the cutter may gouge there; check the unit of the "
+                   "{scan}, {scan more densely} or use a larger tool"));
   return warnings;
 }
 

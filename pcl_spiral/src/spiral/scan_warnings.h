@@ -4,16 +4,14 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
-
-#include <string>
-#include <vector>
 
 namespace pcl_spiral {
 
 /** Warnings, with values and remedies: a size that no part has (under 1 mm or over 100 m across), turns farther apart than
  *  half the part, points farther apart than the cutter is wide, a scallop below the scan's noise. */
-std::vector<std::string> scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings);
+Diagnostics scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings);
 
 } // namespace pcl_spiral

@@ -4,7 +4,7 @@
 #include <pcl_spiral/spiral/impl/stage_reports.h>
 
 #include "surface/noise_warning.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,10 +59,10 @@ reportHoles(const BridgedSurface& bridged, SpiralReport& report)
     if (!widest || report.holes[i].width > widest->width)
       widest = &report.holes[i];
   if (widest)
-    report.warnings.push_back(textOf("the scan has ", report.holes.size() - before, " narrow place(s) without points, up to ",
-                                     widest->width, " mm wide, for example at ", placeText(widest->place),
-                                     ": the path runs over them and its points there are marked; if they are holes of the part, set "
-                                     "the smallest width of a hole (setHoleSize)"));
+    report.warnings.push_back(Diagnostic("the {scan} has ", report.holes.size() - before, " narrow place(s) without points, up to ",
+                                         widest->width, " {mm} wide, for example at ", Place(widest->place),
+                                         ": the path runs over them and its points there are marked; if they are holes of the part, set "
+                                         "the smallest width of a hole ({setHoleSize})"));
 }
 
 } // namespace
@@ -144,22 +144,22 @@ reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralRe
     report.largest_unsettled = std::max(report.largest_unsettled, line.unsettled);
   }
   if (lines.harmonic && settings.lines == LineMethod::Automatic && !lines.why_harmonic.empty())
-    report.warnings.push_back("harmonic radial lines were used: " + lines.why_harmonic);
+    report.warnings.push_back(Diagnostic("harmonic radial lines were used: ", lines.why_harmonic));
   if (!lines.centre_settled)
-    report.warnings.push_back(textOf("the search for the centre did not converge; the centre is now at ", placeText(lines.centre),
-                                     ": check that the turns around it look good, or give a centre "
-                                     "(setCenter)"));
+    report.warnings.push_back(Diagnostic("the search for the centre did not converge; the centre is now at ", Place(lines.centre),
+                                         ": check that the turns around it look good, or give a centre "
+                                         "({setCenter})"));
   // A slightly wrong line still lies on the surface and in order, so turns there have the same distance as elsewhere.
   if (report.largest_unsettled > report.line_tolerance)
-    report.warnings.push_back(textOf(report.unsettled_lines, " of ", lines.lines.size(),
-                                     " radial lines did not converge: the last step still moved one of them by ", report.largest_unsettled,
-                                     " mm sideways, but only ", report.line_tolerance,
-                                     " mm are allowed; choose harmonic lines, which need no such steps (setLineMethod)"));
+    report.warnings.push_back(Diagnostic(report.unsettled_lines, " of ", lines.lines.size(),
+                                         " radial lines did not converge: the last step still moved one of them by ",
+                                         report.largest_unsettled, " {mm} sideways, but only ", report.line_tolerance,
+                                         " {mm} are allowed; choose harmonic lines, which need no such steps ({setLineMethod})"));
   if (report.line_error > report.line_tolerance)
-    report.warnings.push_back(textOf("turns between radial lines may be wrong by ", report.line_error, " mm, but only ",
-                                     report.line_tolerance,
-                                     " mm are allowed: the points of the scan are too far apart for "
-                                     "closer lines; scan more densely, or check the ridge heights (MaterialRemoval)"));
+    report.warnings.push_back(Diagnostic("turns between radial lines may be wrong by ", report.line_error, " {mm}, but only ",
+                                         report.line_tolerance,
+                                         " {mm} are allowed: the points of the {scan} are too far apart for "
+                                         "closer lines; {scan more densely}, or check the ridge heights ({MaterialRemoval})"));
 }
 
 void
@@ -181,19 +181,20 @@ reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, Spi
   if (!(figures.rim_length > 0.0))
     return; // a curve or a linked path was given, and its rim is not known
   if (figures.start_off > far_start * figures.rim_length)
-    report.warnings.push_back(textOf("the path reaches the rim ", figures.start_off,
-                                     " mm from the given start point: the inner loops "
-                                     "lead to no closer place; give no start point, or give one where the path is now (setStartPoint)"));
+    report.warnings.push_back(
+        Diagnostic("the path reaches the rim ", figures.start_off,
+                   " {mm} from the given start point: the inner loops "
+                   "lead to no closer place; give no start point, or give one where the path is now ({setStartPoint})"));
   if (figures.turn_radius < settings.least_turn_radius)
-    report.warnings.push_back(textOf("the path has bends sharper than the given radius of ", settings.least_turn_radius,
-                                     " step-overs: 0.1 % of its length has a radius below ", figures.turn_radius,
-                                     ", the sharpest bend has ", figures.least_radius, " at ", placeText(figures.sharpest_place),
-                                     ": reduce the feed there; a smaller radius (setLeastTurnRadius) removes this warning"));
+    report.warnings.push_back(Diagnostic("the path has bends sharper than the given radius of ", settings.least_turn_radius,
+                                         " step-overs: 0.1 % of its length has a radius below ", figures.turn_radius,
+                                         ", the sharpest bend has ", figures.least_radius, " at ", Place(figures.sharpest_place),
+                                         ": reduce the feed there; a smaller radius ({setLeastTurnRadius}) removes this warning"));
   const double ridge = 4.0 * figures.farthest * figures.farthest * settings.scallop_height;
   if (figures.farthest > 0.52)
-    report.warnings.push_back(textOf("a ridge of about ", ridge, " mm is left at ", placeText(figures.farthest_place),
-                                     ", above the scallop height of ", settings.scallop_height,
-                                     " mm: set a lower scallop height if that is too much"));
+    report.warnings.push_back(Diagnostic("a ridge of about ", ridge, " {mm} is left at ", Place(figures.farthest_place),
+                                         ", above the scallop height of ", settings.scallop_height,
+                                         " {mm}: set a lower scallop height if that is too much"));
 }
 
 void
@@ -213,9 +214,9 @@ reportGaps(const GapFigures& gaps, SpiralReport& report)
   report.gap_points = gaps.points;
   report.gap_length = gaps.length;
   if (gaps.points > 0)
-    report.warnings.push_back(textOf(gaps.points, " path points, ", gaps.length,
-                                     " mm of path, lie over gaps of the scan or beyond its rim, where the surface is only "
-                                     "estimated; they are marked"));
+    report.warnings.push_back(Diagnostic(gaps.points, " path points, ", gaps.length,
+                                         " {mm} of path, lie over {gaps of the scan} or beyond its rim, where the surface is only "
+                                         "estimated; they are marked"));
 }
 
 void
@@ -264,7 +265,7 @@ reportPublished(const Surface& surface, const SpiralSettings& settings, Publishe
   measureTurns(path, settings, measured);
   reportSpacing(measured, report);
   if (measured.reversals.count > 0)
-    report.warnings.push_back(reversalText(measured.reversals) + ": choose constant scallop height (setMethod)");
+    report.warnings.push_back(Diagnostic(reversalText(measured.reversals), ": choose constant scallop height ({setMethod})"));
 }
 
 } // namespace pcl_spiral

@@ -6,8 +6,8 @@
 #include "search/pieces.h"
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/collision/impl/way_check.h>
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/toolpath_fields.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +40,7 @@ offSurface(const Surface& surface, const std::vector<Eigen::Vector3f>& points)
 }
 
 void
-gapsToHoles(const Surroundings& around, const Surface& surface, double radius, std::vector<BoundaryLoop>& loops,
-            std::vector<std::string>& warnings)
+gapsToHoles(const Surroundings& around, const Surface& surface, double radius, std::vector<BoundaryLoop>& loops, Diagnostics& warnings)
 {
   if (around.empty())
     return;
@@ -65,8 +64,8 @@ gapsToHoles(const Surroundings& around, const Surface& surface, double radius, s
     if (count <= static_cast<std::ptrdiff_t>(largest_echo))
       continue;
     loop.type = LoopType::Inner;
-    warnings.push_back(textOf("a gap at ", placeText(loop.curve.front()), ", ", inside.width(),
-                              " mm wide, is a hole that is not cut: ", count, " points of the scan that are not of the part lie in it"));
+    warnings.push_back(Diagnostic("a gap at ", Place(loop.curve.front()), ", ", inside.width(), " {mm} wide, is a hole that is not cut: ",
+                                  count, " points of the {scan} that are not of the part lie in it"));
   }
 }
 

@@ -18,6 +18,7 @@ addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges
   parts.left_out = surface->leftOut();
   parts.input_size = surface->inputSize();
   parts.side = surface->side();
+  parts.kept_part = surface->keptPart();
   parts.warnings = surface->warnings();
   parts.clusters = surface->clusters();
   parts.isolated = surface->isolatedPoints();

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "count_warnings.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 namespace pcl_spiral {
 
-std::vector<std::string>
+Diagnostics
 countWarnings(const SurfaceCounts& counts, double spacing)
 {
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   if (counts.surplus > 0)
-    warnings.push_back(textOf(counts.surplus,
-                              " surplus points were left out: they lie much closer to each other than to the next scan line, or than "
-                              "points in the sparser part beside them; the path follows the others, ",
-                              spacing, " mm apart"));
+    warnings.push_back(Diagnostic(counts.surplus,
+                                  " surplus points were left out: they lie much closer to each other than to the next scan line, or than "
+                                  "points in the sparser part beside them; the path follows the others, ",
+                                  spacing, " {mm} apart"));
   if (const std::size_t off = counts.strays(); off > 0) {
-    std::string message = textOf(off, off == 1 ? " outlier was" : " outliers were", " left out: ");
+    Diagnostic message = Diagnostic(off, off == 1 ? " outlier was" : " outliers were", " left out: ");
     if (counts.isolated > 0)
-      message += textOf(counts.isolated, " isolated");
+      message += Diagnostic(counts.isolated, " isolated");
     if (counts.speck > 0)
-      message += textOf(counts.isolated > 0 ? ", " : "", counts.speck, " in clusters apart from the surface");
+      message += Diagnostic(counts.isolated > 0 ? ", " : "", counts.speck, " in clusters apart from the surface");
     warnings.push_back(message);
   }
   return warnings;

@@ -4,14 +4,12 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/surface.h>
-
-#include <string>
-#include <vector>
 
 namespace pcl_spiral {
 
 /** Surplus points and outliers in \p counts, in full sentences. \p spacing of the surface, mm. */
-std::vector<std::string> countWarnings(const SurfaceCounts& counts, double spacing);
+Diagnostics countWarnings(const SurfaceCounts& counts, double spacing);
 
 } // namespace pcl_spiral

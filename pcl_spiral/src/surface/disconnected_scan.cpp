@@ -2,7 +2,7 @@
 #include "disconnected_scan.h"
 
 #include "cleaning/standing_clusters.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <cmath>
 
@@ -34,11 +34,12 @@ disconnectedRefusal(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f
   const StandingPoints lie = standingPoints(graph, isolated);
   const Box box = graph.blocks().box();
   return {StatusCode::InvalidInput,
-          textOf(isolated.size(), " of ", given, " points are isolated, far from the densest part of the cloud, which lies around ",
-                 placeText(middleOf(box)), ", is ", box.diagonal(), " mm across and has a point every ", graph.spacing(),
-                 " mm; half of them are more than ", lie.median_height, " mm above or below its surface, the farthest ", lie.largest_height,
-                 " mm: the scan is disconnected; where trees or flying points are, crop the scan to the part "
-                 "(setCrop); otherwise leave that part out, or thin the cloud to an even spacing (setThinning)")};
+          Diagnostic(isolated.size(), " of ", given, " points are isolated, far from the densest part of the {cloud}, which lies around ",
+                     Place(middleOf(box)), ", is ", box.diagonal(), " {mm} across and has a point every ", graph.spacing(),
+                     " {mm}; half of them are more than ", lie.median_height, " {mm} above or below its surface, the farthest ",
+                     lie.largest_height,
+                     " {mm}: the {scan} is disconnected; where trees or flying points are, crop the {scan} to the part "
+                     "({setCrop}); otherwise leave that part out, or thin the {cloud} to an even spacing ({setThinning})")};
 }
 
 } // namespace pcl_spiral

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "part_choice.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 
@@ -23,9 +23,9 @@ choosePart(const SurfaceGraph& graph, const SurfaceParts& found, const SurfaceSe
   if (distance <= far * graph.spacing())
     return Status::success();
   return {StatusCode::InvalidArgument,
-          textOf("the place ", placeText(*settings.part_at), " is ", distance,
-                 " mm from the nearest point of the scan: give a place on the part (setPartAt); the scan has ", found.parts.size(),
-                 found.parts.size() == 1 ? " part: " : " separate parts: ", partsText(found.parts))};
+          Diagnostic("the place ", Place(*settings.part_at), " is ", distance,
+                     " {mm} from the nearest point of the {scan}: give a place on the part ({setPartAt}); the {scan} has ",
+                     found.parts.size(), found.parts.size() == 1 ? " part: " : " separate parts: ", partsText(found.parts))};
 }
 
 Status
@@ -39,19 +39,20 @@ checkChosen(const SurfaceGraph& graph, const SurfaceSettings& settings)
   return {StatusCode::InvalidInput, severalPartsText(parts)};
 }
 
-std::string
+Diagnostic
 keptPartText(std::size_t all, std::size_t left_out, const SurfaceParts& found, const SurfaceSettings& settings, std::size_t kept)
 {
   SurfaceParts others = found;
   const SurfacePart part = found.parts[kept];
   others.parts.erase(others.parts.begin() + static_cast<std::ptrdiff_t>(kept));
   const Eigen::Vector3d size = part.box.sizes();
-  std::string text = textOf("kept only the ", settings.part_at ? "part nearest to " + placeText(*settings.part_at) : "largest", " of ",
-                            found.parts.size(), " separate parts, ", partsText({part}), ", ", size.x(), " by ", size.y(), " by ", size.z(),
-                            " mm, with ", 100.0 * static_cast<double>(all - left_out) / static_cast<double>(all),
-                            " % of the points; left out the others, with ", left_out, " points: ", partsText(others.parts));
+  Diagnostic text =
+      Diagnostic("kept only the ", settings.part_at ? Diagnostic("part nearest to ", Place(*settings.part_at)) : Diagnostic("largest"),
+                 " of ", found.parts.size(), " separate parts, ", partsText({part}), ", ", size.x(), " by ", size.y(), " by ", size.z(),
+                 " {mm}, with ", 100.0 * static_cast<double>(all - left_out) / static_cast<double>(all),
+                 " % of the points; left out the others, with ", left_out, " points: ", partsText(others.parts));
   if (!settings.part_at)
-    text += "; if another one is to be machined, give a place on it (setPartAt)";
+    text += "; if another one is to be machined, give a place on it ({setPartAt})";
   return text;
 }
 

@@ -4,10 +4,9 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/impl/surface_parts.h>
 #include <pcl_spiral/surface/surface.h>
-
-#include <string>
 
 namespace pcl_spiral {
 
@@ -19,7 +18,7 @@ Status choosePart(const SurfaceGraph& graph, const SurfaceParts& found, const Su
 Status checkChosen(const SurfaceGraph& graph, const SurfaceSettings& settings);
 
 /** Which part was kept of a graph with \p all points, and what was left out: \p left_out points. */
-std::string keptPartText(std::size_t all, std::size_t left_out, const SurfaceParts& found, const SurfaceSettings& settings,
-                         std::size_t kept);
+Diagnostic keptPartText(std::size_t all, std::size_t left_out, const SurfaceParts& found, const SurfaceSettings& settings,
+                        std::size_t kept);
 
 } // namespace pcl_spiral

@@ -2,7 +2,7 @@
 #include <pcl_spiral/surface/impl/side_text.h>
 
 #include "graph/side_limits.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <cmath>
 
@@ -16,13 +16,13 @@ constexpr double agreeing_view = 0.9;    // share of the area: a scanner sees on
 constexpr double surrounding_view = 0.7; // an arc of three quarters of a turn about its centre has 1 - sin(135 deg) / 2.36 = 0.7
 constexpr double clearly_curved = 0.1;   // mean cosine with the direction from the centroid
 
-constexpr const char* remedy = ": give a view point on the side of the cutter (setViewPoint), or flip the normals "
-                               "(setFlipNormals) if the cutter comes from the other side";
+constexpr const char* remedy = ": give a view point on the side of the cutter ({setViewPoint}), or flip the normals "
+                               "({setFlipNormals}) if the cutter comes from the other side";
 
-std::string
+Diagnostic
 percent(double share)
 {
-  return textOf(std::round(1000.0 * share) / 10.0, " %");
+  return Diagnostic(std::round(1000.0 * share) / 10.0, " %");
 }
 
 double
@@ -38,36 +38,36 @@ curvedSide(const OuterSide& side)
   return cosine < -clearly_curved ? ", the hollow side" : cosine > clearly_curved ? ", the convex side" : "";
 }
 
-std::string
+Diagnostic
 zWarning(const OuterSide& side)
 {
-  return textOf("the outer side was taken from +z, but this is not clear: the mean cosine between the normals and +z is ",
-                rounded(side.mean_cosine), " (a hemisphere has 0.5, a wall 0; below ", weak_z, " it is mostly wall), and ",
-                percent(1.0 - side.agreement), " of the area faces down; the path is on this side", curvedSide(side), remedy);
+  return Diagnostic("the outer side was taken from +z, but this is not clear: the mean cosine between the normals and +z is ",
+                    rounded(side.mean_cosine), " (a hemisphere has 0.5, a wall 0; below ", weak_z, " it is mostly wall), and ",
+                    percent(1.0 - side.agreement), " of the area faces down; the path is on this side", curvedSide(side), remedy);
 }
 
-std::string
+Diagnostic
 viewWarning(const OuterSide& side)
 {
   if (side.view_spread > surrounding_view)
-    return textOf("the surface surrounds the view point by more than three quarters of a turn, so the inner side was taken", remedy);
+    return Diagnostic("the surface surrounds the view point by more than three quarters of a turn, so the inner side was taken", remedy);
   if (side.agreement < agreeing_view)
-    return textOf(percent(1.0 - side.agreement), " of the area faces away from the view point, but a scanner sees only what faces it (",
-                  percent(1.0 - agreeing_view),
-                  " is the limit): the place is wrong, or the scan is made of several views; "
-                  "the path is on the side that most of the area shows to it",
-                  curvedSide(side), remedy);
-  return textOf("the view point sees the surface almost along it: the mean cosine is ", rounded(side.mean_cosine), ", below ", weak_view,
-                remedy);
+    return Diagnostic(percent(1.0 - side.agreement), " of the area faces away from the view point, but a scanner sees only what faces it (",
+                      percent(1.0 - agreeing_view),
+                      " is the limit): the place is wrong, or the {scan} is made of several views; "
+                      "the path is on the side that most of the area shows to it",
+                      curvedSide(side), remedy);
+  return Diagnostic("the view point sees the surface almost along it: the mean cosine is ", rounded(side.mean_cosine), ", below ",
+                    weak_view, remedy);
 }
 
-std::string
+Diagnostic
 normalsWarning(const OuterSide& side)
 {
-  return textOf("the given normals face away from +z (mean cosine ", rounded(side.z_cosine), "), and the path is on this side",
-                curvedSide(side),
-                ": flip the normals (setFlipNormals) if the cutter comes from +z; else confirm the side with a view "
-                "point on it (setViewPoint)");
+  return Diagnostic("the given normals face away from +z (mean cosine ", rounded(side.z_cosine), "), and the path is on this side",
+                    curvedSide(side),
+                    ": flip the normals ({setFlipNormals}) if the cutter comes from +z; else confirm the side with a view "
+                    "point on it ({setViewPoint})");
 }
 
 bool
@@ -104,29 +104,31 @@ nameOf(SideVote vote)
   return "convex";
 }
 
-std::string
+Diagnostic
 sideText(const OuterSide& side)
 {
-  const std::string agrees = percent(side.agreement) + " of the area agrees";
-  std::string text;
+  const Diagnostic agrees(percent(side.agreement), " of the area agrees");
+  Diagnostic text;
   if (side.vote == SideVote::GivenNormals)
-    text = textOf("by the given normals: ", agrees);
+    text = Diagnostic("by the given normals: ", agrees);
   else if (side.vote == SideVote::Convex)
-    text = textOf("the convex side, as +z does not decide (mean cosine ", rounded(std::abs(side.z_cosine)), ")");
+    text = Diagnostic("the convex side, as +z does not decide (mean cosine ", rounded(std::abs(side.z_cosine)), ")");
   else
-    text = textOf("by ", side.vote == SideVote::PlusZ ? "+z" : "the view point", ": mean cosine ", rounded(side.mean_cosine), ", ", agrees);
+    text = Diagnostic("by ", side.vote == SideVote::PlusZ ? "+z" : "the view point", ": mean cosine ", rounded(side.mean_cosine), ", ",
+                      agrees);
   if (side.flipped)
     text += "; turned to the other side on request";
   return side.vote == SideVote::Convex && !side.flipped ? text : text + curvedSide(side);
 }
 
-std::vector<std::string>
+Diagnostics
 sideWarnings(const OuterSide& side)
 {
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   if (side.normals_ignored)
-    warnings.push_back(textOf("the given normals have no common side and were not used: they agree on ", percent(side.normals_agreement),
-                              " of the area, below 90 %; orient them, or give a view point (setViewPoint)"));
+    warnings.push_back(Diagnostic("the given normals have no common side and were not used: they agree on ",
+                                  percent(side.normals_agreement),
+                                  " of the area, below 90 %; orient them, or give a view point ({setViewPoint})"));
   if (side.flipped || isClear(side))
     return warnings;
   if (side.vote == SideVote::PlusZ)
@@ -137,19 +139,20 @@ sideWarnings(const OuterSide& side)
     warnings.push_back(normalsWarning(side));
   else
     warnings.push_back("+z does not show the outer side, so the convex side was taken: give a view point "
-                       "(setViewPoint) or flip the normals (setFlipNormals) if the cutter comes from the other side");
+                       "({setViewPoint}) or flip the normals ({setFlipNormals}) if the cutter comes from the other side");
   return warnings;
 }
 
-std::vector<std::string>
+Diagnostics
 sensorWarnings(const OuterSide& side)
 {
   if (side.flipped || side.vote != SideVote::ViewPoint || side.z_cosine > -clear_z)
     return {};
-  return {textOf("the path is on the side of the sensor that the cloud names (sensor_origin_), which faces away from +z (mean cosine ",
-                 rounded(side.z_cosine), ")", curvedSide(side),
-                 "; if the cloud was moved or scaled after the scan, its sensor may not have been: give the view point (setViewPoint), or "
-                 "flip the normals (setFlipNormals) if the cutter comes from +z")};
+  return {Diagnostic(
+      "the path is on the side of the sensor that the {cloud} names (sensor_origin_), which faces away from +z (mean cosine ",
+      rounded(side.z_cosine), ")", curvedSide(side),
+      "; if the {cloud} was moved or scaled after the {scan}, its sensor may not have been: give the view point ({setViewPoint}), or "
+      "flip the normals ({setFlipNormals}) if the cutter comes from +z")};
 }
 
 } // namespace pcl_spiral

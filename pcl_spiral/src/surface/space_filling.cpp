@@ -52,7 +52,7 @@ pointsLookedAt(const PointBlocks& blocks, const SurfaceSettings& settings)
 }
 
 /** What the neighbours of one point show. */
-struct Place {
+struct LookedAt {
   bool fills = true;
   PointHeight height;   ///< of one of the points of its largest neighbourhood over their plane
   double noise = 0.0;   ///< of that neighbourhood about its plane, mm
@@ -61,7 +61,7 @@ struct Place {
 
 /** Thickness of the neighbours of a point, and the height of one of them over their plane, towards \p outward. */
 void
-look(const Neighbourhood& near, const Eigen::Vector3d& outward, Place& place)
+look(const Neighbourhood& near, const Eigen::Vector3d& outward, LookedAt& place)
 {
   Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -84,10 +84,10 @@ look(const Neighbourhood& near, const Eigen::Vector3d& outward, Place& place)
   place.height.value = normal.dot(offset - mean) * (normal.dot(outward) < 0.0 ? -1.0 : 1.0);
 }
 
-std::vector<Place>
+std::vector<LookedAt>
 lookAt(const PointBlocks& blocks, const std::vector<std::uint32_t>& points, const SurfaceSettings& settings)
 {
-  std::vector<Place> places(points.size());
+  std::vector<LookedAt> places(points.size());
 #pragma omp parallel
   {
     NeighbourSearch search(blocks, sizes[0]);
@@ -124,13 +124,13 @@ checkFillsSpace(const PointBlocks& blocks, const SurfaceSettings& settings)
 {
   if (blocks.size() < fewest_points)
     return Status::success();
-  const std::vector<Place> places = lookAt(blocks, pointsLookedAt(blocks, settings), settings);
-  const auto fill = std::count_if(places.begin(), places.end(), [](const Place& place) { return place.fills; });
+  const std::vector<LookedAt> places = lookAt(blocks, pointsLookedAt(blocks, settings), settings);
+  const auto fill = std::count_if(places.begin(), places.end(), [](const LookedAt& place) { return place.fills; });
   if (static_cast<double>(fill) < (settings.largest_part ? nearly : most) * static_cast<double>(places.size()))
     return Status::success();
   std::vector<double> noise, spacing;
   std::vector<PointHeight> heights;
-  for (const Place& place : places) {
+  for (const LookedAt& place : places) {
     noise.push_back(place.noise);
     spacing.push_back(place.spacing);
     heights.push_back(place.height);

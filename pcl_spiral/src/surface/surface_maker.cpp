@@ -3,7 +3,7 @@
 #include <pcl_spiral/surface/surface.h>
 
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/impl/surface_parts.h>
 #include <pcl_spiral/surface/impl/side_text.h>
 
@@ -145,7 +145,8 @@ private:
     const std::vector<std::uint8_t> apart = apartFrom(parts_.graph, found, kept);
     parts_.counts.separate_parts = found.parts.size() - 1;
     parts_.counts.other_part = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
-    parts_.warnings.push_back(keptPartText(parts_.graph.size(), parts_.counts.other_part, found, settings_, kept));
+    parts_.kept_part = keptPartText(parts_.graph.size(), parts_.counts.other_part, found, settings_, kept);
+    parts_.warnings.push_back(parts_.kept_part);
     return keepPart(apart, LeftOut::OtherPart);
   }
 
@@ -226,9 +227,9 @@ private:
         return status;
     }
     if (!parts_.clusters.empty())
-      parts_.warnings.push_back(clustersText(parts_.clusters, parts_.graph.spacing()) + (settings_.clusters == ClusterHandling::Ride
-                                                                                             ? "; the ball rides over what is there"
-                                                                                             : "; a path may go through what is there"));
+      parts_.warnings.push_back(Diagnostic(
+          clustersText(parts_.clusters, parts_.graph.spacing()),
+          (settings_.clusters == ClusterHandling::Ride ? "; the ball rides over what is there" : "; a path may go through what is there")));
     return Status::success();
   }
 
@@ -253,9 +254,9 @@ private:
     parts_.isolated = isolatedPoints();
     parts_.settings = settings_;
     parts_.side = parts_.graph.side();
-    for (std::string& warning : countWarnings(counts, parts_.graph.spacing()))
+    for (Diagnostic& warning : countWarnings(counts, parts_.graph.spacing()))
       parts_.warnings.push_back(std::move(warning));
-    for (std::string& warning : sideWarnings(parts_.side))
+    for (Diagnostic& warning : sideWarnings(parts_.side))
       parts_.warnings.push_back(std::move(warning));
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/impl/thinning_check.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <array>
@@ -89,10 +89,10 @@ checkThinning(const Surface& surface, double allowed)
   if (error.distance <= std::max(allowed, surface.noise()))
     return Status::success();
   return {StatusCode::Failed,
-          textOf("the cloud was thinned to ", edge, " mm, and the surface then lies ", error.distance,
-                 " mm beside the points that were left out, at ", placeText(error.place), "; ", allowed,
-                 " mm is allowed, the scallop height: thin to ", remedy_share * edge * std::sqrt(allowed / error.distance),
-                 " mm or less (setThinning), or set a scallop height above ", error.distance, " mm (setScallopHeight)")};
+          Diagnostic("the {cloud} was thinned to ", edge, " {mm}, and the surface then lies ", error.distance,
+                     " {mm} beside the points that were left out, at ", Place(error.place), "; ", allowed,
+                     " {mm} is allowed, the scallop height: thin to ", remedy_share * edge * std::sqrt(allowed / error.distance),
+                     " {mm} or less ({setThinning}), or set a scallop height above ", error.distance, " {mm} ({setScallopHeight})")};
 }
 
 } // namespace pcl_spiral

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/holder_check_engine.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/machine/impl/sampled_moves.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ cutRuns(const std::vector<ToolPoses>& passes, CutRuns& runs)
   for (const ToolPoses& poses : passes) {
     for (const ToolPose& pose : poses) {
       if (!isUsable(pose))
-        return {StatusCode::InvalidInput, textOf("pose ", number, " is not finite or its axis is not a unit vector; remove it")};
+        return {StatusCode::InvalidInput, Diagnostic("pose ", number, " is not finite or its axis is not a unit vector; remove it")};
       runs.moves.push_back(number++);
     }
     runs.count += poses.empty() ? 0 : poses.size() - 1;
@@ -60,7 +60,7 @@ cutRuns(const MachineProgram& program, double arm, double tolerance, CutRuns& ru
     ++runs.count;
   }
   if (runs.count == 0)
-    return {StatusCode::InvalidInput, "the program has no cutting moves; make it first with MachineProgramGenerator"};
+    return {StatusCode::InvalidInput, "the program has no cutting moves; make it first with {MachineProgramGenerator}"};
   return Status::success();
 }
 

@@ -2,14 +2,13 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/impl/cutter_path.h>
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <string>
 
 namespace pcl_spiral {
 namespace {
@@ -28,10 +27,10 @@ checkLifts(const CutterPath& path, double grow)
   const double cut = cutLength(path);
   if (path.passes.empty() || std::abs(grow - cut) <= rounding * grow)
     return Status::success();
-  return {StatusCode::InvalidInput,
-          textOf("the arc lengths of the toolpath stay the same over ", path.passes.size(),
-                 " moves, as they do at lifts, first at path point ", path.passes.front(), ", but the other moves are ", cut,
-                 " mm long and the arc lengths grow by ", grow, " mm: write arc lengths to a hundredth of a millimetre, or write none")};
+  return {StatusCode::InvalidInput, Diagnostic("the arc lengths of the toolpath stay the same over ", path.passes.size(),
+                                               " moves, as they do at lifts, first at path point ", path.passes.front(),
+                                               ", but the other moves are ", cut, " {mm} long and the arc lengths grow by ", grow,
+                                               " {mm}: write arc lengths to a hundredth of a millimetre, or write none")};
 }
 
 /** Refuse given passes that do not begin one after the other within a path of \p size points. */
@@ -42,8 +41,8 @@ checkPasses(const std::vector<std::size_t>& passes, std::size_t size)
   for (const std::size_t begin : passes) {
     if (begin <= before || begin >= size)
       return {StatusCode::InvalidInput,
-              textOf("a pass begins at path point ", begin, ", after ", before, " of ", size,
-                     ": give the first point of the second pass and of each later one, ascending (setInputToolpath)")};
+              Diagnostic("a pass begins at path point ", begin, ", after ", before, " of ", size,
+                         ": give the first point of the second pass and of each later one, ascending ({setInputToolpath})")};
     before = begin;
   }
   return Status::success();
@@ -56,9 +55,9 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
 {
   path = CutterPath();
   if (!toolpath)
-    return {StatusCode::InvalidInput, "no toolpath: call setInputToolpath"};
+    return {StatusCode::InvalidInput, "no toolpath: call {setInputToolpath}"};
   if (toolpath->size() < 2)
-    return {StatusCode::InvalidInput, "the toolpath has " + std::to_string(toolpath->size()) + " points; a move needs two: check the file"};
+    return {StatusCode::InvalidInput, Diagnostic("the toolpath has ", toolpath->size(), " points; a move needs two: check the file")};
   bool with_axes = true;
   for (std::size_t i = 0; i < toolpath->size(); ++i) {
     const ToolpathPoint& p = (*toolpath)[i];
@@ -66,10 +65,10 @@ readCutterPath(const pcl::PointCloud<ToolpathPoint>::ConstPtr& toolpath, CutterP
     const Eigen::Vector3d normal = p.getNormalVector3fMap().cast<double>();
     const Eigen::Vector3d axis = p.getAxisVector3fMap().cast<double>();
     if (!contact.allFinite())
-      return {StatusCode::InvalidInput, "toolpath point " + std::to_string(i) + " is not finite: check the file"};
+      return {StatusCode::InvalidInput, Diagnostic("toolpath point ", i, " is not finite: check the file")};
     if (!(normal.norm() > 1e-6) || !normal.allFinite())
       return {StatusCode::InvalidInput,
-              "toolpath point " + std::to_string(i) + " has no normal: without it the place of the cutter is not known"};
+              Diagnostic("toolpath point ", i, " has no normal: without it the place of the cutter is not known")};
     path.contacts.push_back(contact);
     path.normals.push_back(normal.normalized());
     path.turns.push_back(p.turn);

@@ -120,24 +120,24 @@ private:
 void
 warn(const ReferenceSurface& reference, DeviationFigures& figures)
 {
-  const auto of = [&](std::size_t count) { return std::to_string(count) + " of " + std::to_string(figures.points) + " path points"; };
+  const auto of = [&](std::size_t count) { return Diagnostic(count, " of ", figures.points, " path points"); };
   if (figures.unmeasured > 0)
     figures.warnings.push_back(
-        of(figures.unmeasured) + " have no " + (reference.mesh() ? "surface of the mesh" : "scanned surface") + " near them: " +
-        (2 * figures.unmeasured > figures.points ? "is it another part, or another unit?" : "they cannot be judged there"));
+        Diagnostic(of(figures.unmeasured), " have no ", (reference.mesh() ? "surface of the mesh" : "scanned surface"), " near them: ",
+                   (2 * figures.unmeasured > figures.points ? "is it another part, or another unit?" : "they cannot be judged there")));
   const bool reversed = 2 * figures.opposed > figures.measured + figures.beyond_rim;
   if (reversed)
-    figures.warnings.push_back("the normals of " + of(figures.opposed) +
-                               " point into the material: they are reversed, or the reference is seen from its other "
-                               "side; in that case flip the normals of the reference");
+    figures.warnings.push_back(Diagnostic("the normals of ", of(figures.opposed),
+                                          " point into the material: they are reversed, or the reference is seen from its other "
+                                          "side; in that case flip the normals of the reference"));
   else if (figures.opposed > 0)
-    figures.warnings.push_back("the normals of " + of(figures.opposed) + " point into the material, the first at " +
-                               std::to_string(figures.first_opposed.index));
+    figures.warnings.push_back(
+        Diagnostic("the normals of ", of(figures.opposed), " point into the material, the first at ", figures.first_opposed.index));
   if (figures.inward_axes > 0 && !reversed)
-    figures.warnings.push_back("the tool axes of " + of(figures.inward_axes) + " point into the material, the first at " +
-                               std::to_string(figures.first_inward.index) + ": the shank would be inside the part");
+    figures.warnings.push_back(Diagnostic("the tool axes of ", of(figures.inward_axes), " point into the material, the first at ",
+                                          figures.first_inward.index, ": the shank would be inside the part"));
   if (figures.in_gaps > 0)
-    figures.warnings.push_back(of(figures.in_gaps) + " lie in gaps of the scan: they cannot be judged there");
+    figures.warnings.push_back(Diagnostic(of(figures.in_gaps), " lie in gaps of the scan: they cannot be judged there"));
 }
 
 } // namespace
@@ -171,7 +171,7 @@ measureDeviation(const ReferenceSurface& reference, const CutterPath& path, doub
   figures.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (figures.unmeasured == path.size())
     return {StatusCode::InvalidInput,
-            "none of the " + std::to_string(path.size()) + " path points lies on the reference: is it another part, or another unit?"};
+            Diagnostic("none of the ", path.size(), " path points lies on the reference: is it another part, or another unit?")};
   return Status::success();
 }
 

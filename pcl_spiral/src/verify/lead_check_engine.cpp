@@ -138,7 +138,7 @@ findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const
   if (const Status status = checkMachine(program.machine); !status.ok())
     return status;
   if (program.blocks.empty())
-    return {StatusCode::InvalidInput, "the program has no moves; make it first with MachineProgramGenerator"};
+    return {StatusCode::InvalidInput, "the program has no moves; make it first with {MachineProgramGenerator}"};
   std::vector<std::size_t> moves;
   for (std::size_t i = 1; i < program.blocks.size(); ++i)
     if (program.blocks[i].section != BlockSection::Cut || program.blocks[i].rapid)

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "verify/verification.h"
 
 namespace pcl_spiral {
@@ -11,14 +13,14 @@ namespace pcl_spiral {
 /** The limits that do not hold, each with the value found and its place. Any limit is broken if points were not judged, or have
  *  normals, axes or tool tips that are wrong. The faults of a program come first, with or without limits. Messages name limits as
  *  Limits::gouge. */
-std::vector<std::string> brokenLimits(const Limits& limits, const Verification& verification);
+Diagnostics brokenLimits(const Limits& limits, const Verification& verification);
 
 /** Normals, axes and tool tips that are wrong, with their number and place: no cutter can be judged by them, with or without limits. */
-std::vector<std::string> faultsOfPoses(const Verification& verification);
+Diagnostics faultsOfPoses(const Verification& verification);
 
 /** The limits that are kept but lie below leastShown, where noise and deviation cannot be told apart. With any limit: the points
  *  in gaps, where there is nothing to judge by. */
-std::vector<std::string> unprovenLimits(const Limits& limits, const Verification& verification);
+Diagnostics unprovenLimits(const Limits& limits, const Verification& verification);
 
 /** The smallest value that the reference can show, mm: three standard deviations of its surface. */
 double leastShown(const DeviationFigures& deviation);

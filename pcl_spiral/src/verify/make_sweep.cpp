@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 namespace pcl_spiral {
 namespace {
@@ -14,10 +14,11 @@ tipsAt(const CutterPath& path, const CutterShape& cutter, Polyline& tips)
   for (std::size_t i = 0; i < path.size(); ++i) {
     const CutterContact contact = profile.locate(path.contacts[i], path.normals[i], path.axes[i]);
     if (!contact.touches)
-      return {StatusCode::InvalidInput,
-              textOf("at path point ", i, ", ", placeText(path.contacts[i]), ", the surface leans over the flank of this cutter by ",
+      return {
+          StatusCode::InvalidInput,
+          Diagnostic("at path point ", i, ", ", Place(path.contacts[i]), ", the surface leans over the flank of this cutter by ",
                      contact.excess_angle,
-                     " degrees: it cannot touch there; give the cutter of the path (setCutter), or its tool tips (setInputTips)")};
+                     " {degrees}: it cannot touch there; give the cutter of the path ({setCutter}), or its tool tips ({setInputTips})")};
     tips.push_back(contact.tip);
   }
   return Status::success();
@@ -37,13 +38,13 @@ makeSweep(const CutterPath& path, const CutterShape& cutter, const Polyline& tip
   sweep.reset();
   if (!tips.empty() && tips.size() != path.size())
     return {StatusCode::InvalidInput,
-            textOf(tips.size(), " tool tips are given for ", path.size(), " path points; give one for each (setInputTips)")};
+            Diagnostic(tips.size(), " tool tips are given for ", path.size(), " path points; give one for each ({setInputTips})")};
   if (isBall(cutter)) {
     sweep = std::make_unique<BallSweep>(path.contacts, path.normals, cutter.radius, path.passes);
     return Status::success();
   }
-  if (const std::string fault = faultOf(cutter); !fault.empty())
-    return {StatusCode::InvalidArgument, "the cutter (setCutter): " + fault};
+  if (const Diagnostic fault = faultOf(cutter); !fault.empty())
+    return {StatusCode::InvalidArgument, Diagnostic("the cutter ({setCutter}): ", fault)};
   if (path.axes.empty())
     return {StatusCode::InvalidInput,
             "the path has points without a tool axis: only for a ball is the place of the cutter known without it"};

@@ -253,18 +253,18 @@ Measurement::finish()
   figures_.rim_length = reference_.rimLength();
   measureEfficiency();
   if (figures_.gouge.value > settings_.tool_radius)
-    figures_.warnings.push_back("the middle of the cutter is inside the material at path point " + std::to_string(figures_.gouge.index) +
-                                ": the path's normals are reversed there, or the reference is seen from its other side");
+    figures_.warnings.push_back(Diagnostic("the middle of the cutter is inside the material at path point ", figures_.gouge.index,
+                                           ": the path's normals are reversed there, or the reference is seen from its other side"));
 }
 
 Status
 check(const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings)
 {
   const auto bad = [](const char* what, double value, const char* remedy) {
-    return Status(StatusCode::InvalidArgument, std::string(what) + " is " + std::to_string(value) + " mm; " + remedy);
+    return Status(StatusCode::InvalidArgument, Diagnostic(what, " is ", value, " {mm}; ", remedy));
   };
   if (!(settings.tool_radius > 0.0) || !std::isfinite(settings.tool_radius))
-    return bad("the tool radius", settings.tool_radius, "set it above 0: setToolRadius");
+    return bad("the tool radius", settings.tool_radius, "set it above 0: {setToolRadius}");
   if (!(settings.scallop_height > 0.0) || !(settings.scallop_height < settings.tool_radius))
     return bad("the scallop height", settings.scallop_height, "set it above 0 and below the tool radius");
   if (!(settings.chord_error >= 0.0) || !std::isfinite(settings.chord_error))
@@ -272,9 +272,8 @@ check(const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& s
   if (!(settings.reach >= 0.0) || !std::isfinite(settings.reach))
     return bad("the reach", settings.reach, "set it above the scallop height, or to 0 to have it chosen");
   if (path.size() < 2 || sweep.centres().size() != path.size())
-    return {StatusCode::InvalidArgument, "the path has " + std::to_string(path.size()) + " points and the cutter " +
-                                             std::to_string(sweep.centres().size()) +
-                                             " places: give at least two points, with one place each"};
+    return {StatusCode::InvalidArgument, Diagnostic("the path has ", path.size(), " points and the cutter ", sweep.centres().size(),
+                                                    " places: give at least two points, with one place each")};
   return checkOrder(path);
 }
 

@@ -2,7 +2,7 @@
 // The ReferenceSurface of a mesh.
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/surface/scanned_surface.h>
 
@@ -48,9 +48,9 @@ ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface, ReferenceMesh::Con
   const SurfaceCounts& counts = scanned_->counts();
   if (const std::size_t out = mesh_->samples()->size() - counts.used - counts.duplicate; out > 0)
     warnings_.push_back(
-        textOf(out, " of ", mesh_->samples()->size(), " samples of the mesh, ", mesh_->spacing(),
-               " mm apart, were left out: they are in parts too small for this sample spacing, or where faces overlap; sample "
-               "more closely (setSampleSpacing)"));
+        Diagnostic(out, " of ", mesh_->samples()->size(), " samples of the mesh, ", mesh_->spacing(),
+                   " {mm} apart, were left out: they are in parts too small for this sample spacing, or where faces overlap; sample "
+                   "more closely ({setSampleSpacing})"));
   if (!mesh_->creases().empty())
     crease_band_ = band_width * fitRadius();
   takeRims();

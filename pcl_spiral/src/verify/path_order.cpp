@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_order.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <Eigen/Geometry>
@@ -57,8 +57,9 @@ checkOrder(const CutterPath& path)
   if (!(length * distance > most_times * box.sizes().squaredNorm()))
     return Status::success();
   return {StatusCode::InvalidInput,
-          textOf("the points are not in the order of the path: as they come, its moves are ", length / static_cast<double>(path.size() - 1),
-                 " mm long on average, but a point has another ", distance, " mm away; give the rows in the order of the path")};
+          Diagnostic("the points are not in the order of the path: as they come, its moves are ",
+                     length / static_cast<double>(path.size() - 1), " {mm} long on average, but a point has another ", distance,
+                     " {mm} away; give the rows in the order of the path")};
 }
 
 } // namespace pcl_spiral

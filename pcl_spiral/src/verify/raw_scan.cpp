@@ -4,7 +4,7 @@
 #include "quantile.h"
 
 #include "search/neighbour_search.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -97,18 +97,18 @@ compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw)
   return f;
 }
 
-std::string
+Diagnostic
 smoothingText(const RawScanFigures& f, const std::string& name)
 {
   if (f.points == 0)
-    return textOf("no point of the raw scan ", name, " has the smoothed surface near it: is it another part, or another unit?");
-  std::string text = textOf("smoothing moved 1 % of the points of ", name, " by more than ", f.p99, " mm, the farthest by ",
-                            f.largest.value, " mm at ", placeText(f.largest.position));
+    return Diagnostic("no point of the raw scan ", name, " has the smoothed surface near it: is it another part, or another unit?");
+  Diagnostic text = Diagnostic("smoothing moved 1 % of the points of ", name, " by more than ", f.p99, " {mm}, the farthest by ",
+                               f.largest.value, " {mm} at ", Place(f.largest.position));
   if (f.mean.value > f.leastMean())
-    text += textOf("; the mean of ", RawScanFigures::mean_of, " neighbouring points by up to ", f.mean.value, " mm at ",
-                   placeText(f.mean.position), ", which is not noise: the shape was changed there; smooth with a smaller radius");
+    text += Diagnostic("; the mean of ", RawScanFigures::mean_of, " neighbouring points by up to ", f.mean.value, " {mm} at ",
+                       Place(f.mean.position), ", which is not noise: the shape was changed there; smooth with a smaller radius");
   if (f.beside > 0)
-    text += textOf("; ", f.beside, f.beside == 1 ? " point has" : " points have", " no smoothed surface near");
+    text += Diagnostic("; ", f.beside, f.beside == 1 ? " point has" : " points have", " no smoothed surface near");
   return text;
 }
 

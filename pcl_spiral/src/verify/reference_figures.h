@@ -4,9 +4,9 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
-#include <string>
 #include <utility>
 
 namespace pcl_spiral {
@@ -21,7 +21,7 @@ describeReference(const ReferenceSurface& reference, double scallop_height, doub
   figures.fit_noise = reference.fitNoise();
   figures.crease_band = reference.creaseBand();
   figures.warnings = reference.warnings();
-  for (std::string& warning : noiseWarnings(reference, scallop_height, chord_error))
+  for (Diagnostic& warning : noiseWarnings(reference, scallop_height, chord_error))
     figures.warnings.push_back(std::move(warning));
 }
 

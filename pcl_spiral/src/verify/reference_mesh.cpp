@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/reference_mesh.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
@@ -168,14 +168,14 @@ ReferenceMesh::chooseFaces(const CutterPath& path)
   dropAway(*mesh_, path, faces_);
   if (faceCount() == 0)
     return {StatusCode::InvalidInput,
-            textOf("no contact of the toolpath lies on the closed mesh on the side of its normal, the nearest is ", nearest,
-                   " mm away: is it another part, another unit, or the other side of the mesh?")};
+            Diagnostic("no contact of the toolpath lies on the closed mesh on the side of its normal, the nearest is ", nearest,
+                       " {mm} away: is it another part, another unit, or the other side of the mesh?")};
   if (faceCount() == mesh_->faceCount())
     faces_.clear();
   else
-    warnings_.push_back(textOf("the mesh is closed: ", faceCount(), " of its ", mesh_->faceCount(), " faces are judged, ", area(),
-                               " mm2, the smooth areas that the path touches; to judge all faces, keep only the machined part of "
-                               "the mesh"));
+    warnings_.push_back(Diagnostic("the mesh is closed: ", faceCount(), " of its ", mesh_->faceCount(), " faces are judged, ", area(),
+                                   " {mm2}, the smooth areas that the path touches; to judge all faces, keep only the machined part of "
+                                   "the mesh"));
   return Status::success();
 }
 

@@ -4,7 +4,7 @@
 
 #include "cleaning/standing_clusters.h"
 #include "surface/noise_warning.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/frame.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/surface/impl/side_text.h>
@@ -40,12 +40,13 @@ ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface)
 : scanned_(std::move(surface)), surface_(scanned_->graph(), 0, ProjectionMethod::RobustQuartic)
 {
   if (strayPoints() > 0)
-    warnings_.push_back(textOf(strayPoints(), " isolated outliers of the reference were left out"));
+    warnings_.push_back(Diagnostic(strayPoints(), " isolated outliers of the reference were left out"));
   if (const std::vector<StandingCluster>& clusters = scanned_->clusters(); !clusters.empty())
-    warnings_.push_back(clustersText(clusters, scanned_->spacing()) + (scanned_->settings().clusters == ClusterHandling::Ride
-                                                                           ? "; the ball must ride over what is there"
-                                                                           : "; what is there is not judged (setClusterHandling)"));
-  for (const std::string& warning : sideWarnings(scanned_->side()))
+    warnings_.push_back(Diagnostic(clustersText(clusters, scanned_->spacing()),
+                                   (scanned_->settings().clusters == ClusterHandling::Ride
+                                        ? "; the ball must ride over what is there"
+                                        : "; what is there is not judged ({setClusterHandling(ClusterHandling::LeaveOut)})")));
+  for (const Diagnostic& warning : sideWarnings(scanned_->side()))
     warnings_.push_back(warning);
   findRim();
 }
@@ -54,7 +55,8 @@ void
 ReferenceSurface::findRim()
 {
   if (const Status status = findBoundaryLoops(*scanned_, BoundaryOptions(), loops_); !status.ok()) {
-    warnings_.push_back("the rim of the reference was not found, so the band along it is not judged separately: " + status.message());
+    warnings_.push_back(
+        Diagnostic("the rim of the reference was not found, so the band along it is not judged separately: ", status.diagnostic()));
     return;
   }
   for (const BoundaryLoop& loop : loops_) {
@@ -156,18 +158,18 @@ ReferenceSurface::nearestOnRim(const Eigen::Vector3d& p, double limit) const
   return found ? std::optional(point) : std::nullopt;
 }
 
-std::vector<std::string>
+Diagnostics
 noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error)
 {
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   if (const ReferenceMesh* mesh = reference.mesh()) {
     const double least = 3.0 * reference.fitNoise();
     for (const auto& [what, asked] : {std::pair{"scallop height", scallop_height}, std::pair{"chord error", chord_error}})
       if (asked > 0.0 && asked < least)
-        warnings.push_back(textOf("the ", what, " asked for, ", asked, " mm, lies below ", least,
-                                  " mm, three times the distance between the "
-                                  "mesh and the surface fitted to its samples every ",
-                                  mesh->spacing(), " mm: sample more closely (setSampleSpacing ", 0.5 * mesh->spacing(), ")"));
+        warnings.push_back(Diagnostic("the ", what, " asked for, ", asked, " {mm}, lies below ", least,
+                                      " {mm}, three times the distance between the "
+                                      "mesh and the surface fitted to its samples every ",
+                                      mesh->spacing(), " {mm}: sample more closely ({setSampleSpacing} ", 0.5 * mesh->spacing(), ")"));
     return warnings;
   }
   for (const auto& [what, asked] : {std::pair{"scallop height", scallop_height}, std::pair{"chord error", chord_error}})

@@ -31,14 +31,14 @@ highestScallop(const RemovalFigures& removal)
   return removal.scallop.samples > 0 ? removal.scallop.max : removal.stock.max;
 }
 
-std::vector<std::string>
+Diagnostics
 warningsOf(const Verification& verification)
 {
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   if (verification.program)
     warnings = verification.program->warnings;
-  for (const std::vector<std::string>* some : {&verification.deviation.warnings, &verification.removal.warnings})
-    for (const std::string& warning : *some)
+  for (const Diagnostics* some : {&verification.deviation.warnings, &verification.removal.warnings})
+    for (const Diagnostic& warning : *some)
       if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
         warnings.push_back(warning);
   return warnings;

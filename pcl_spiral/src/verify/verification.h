@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/verify/figures.h>
 
@@ -24,13 +25,13 @@ struct Limits {
 
 /** What is known of a machine program apart from its path. */
 struct ProgramFigures {
-  std::string language;              ///< see ProgramFile
-  std::size_t blocks = 0;            ///< moves
-  std::size_t passes = 0;            ///< that cut
-  LeadFigures leads;                 ///< of the moves that do not cut
-  std::vector<std::size_t> lines;    ///< line of each path point
-  std::vector<std::string> warnings; ///< in full sentences, with the remedy
-  std::vector<std::string> faults;   ///< collisions and axes beyond their limits, in words
+  std::string language;           ///< see ProgramFile
+  std::size_t blocks = 0;         ///< moves
+  std::size_t passes = 0;         ///< that cut
+  LeadFigures leads;              ///< of the moves that do not cut
+  std::vector<std::size_t> lines; ///< line of each path point
+  Diagnostics warnings;           ///< in full sentences, with the remedy
+  Diagnostics faults;             ///< collisions and axes beyond their limits, in words
 };
 
 /** A toolpath's figures. */
@@ -41,11 +42,11 @@ struct Verification {
   RemovalFigures removal;
   std::size_t tips_off = 0;              ///< points whose tool tip in the file is not that of the cutter at their contact
   PlacedValue tip_error;                 ///< the farthest of them, mm
-  std::vector<std::string> broken;       ///< limits that do not hold, in words; see brokenLimits
+  Diagnostics broken;                    ///< limits that do not hold, in words; see brokenLimits
   OuterSide side;                        ///< of the reference: what decided it
   std::optional<ProgramFigures> program; ///< absent: a path
   double seconds = 0.0;                  ///< of judging, and of making the reference surface if this path was the first
-  std::vector<std::string> unproven;     ///< limits that the noise is too large for, in words; see unprovenLimits
+  Diagnostics unproven;                  ///< limits that the noise is too large for, in words; see unprovenLimits
 };
 
 /** File and region. */
@@ -61,6 +62,6 @@ const PlacedValue& firstUncut(const RemovalFigures& removal);
 const PlacedValue& highestScallop(const RemovalFigures& removal);
 
 /** Warnings of both measurements, each once, after those of a program. */
-std::vector<std::string> warningsOf(const Verification& verification);
+Diagnostics warningsOf(const Verification& verification);
 
 } // namespace pcl_spiral

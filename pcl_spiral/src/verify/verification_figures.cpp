@@ -27,11 +27,11 @@ addContacts(FigureTable& table, const DeviationFigures& d, const Limits& limits)
   table.number("deviation/p99", d.p99, height).named("Deviation, amount: 99 % below");
   table.placed("deviation/max", d.max, both_ways)
       .named("Deviation of contacts from the surface, largest (+ out of the material)")
-      .limited("Limits::deviation", limits.deviation, std::abs(d.max.value), "", true);
+      .limited("{Limits::deviation}", limits.deviation, std::abs(d.max.value), "", true);
   table.placed("deviation/beyond_rim_max", d.rim_max, both_ways)
       .knownIf(d.beyond_rim > 0)
       .named("Deviation beyond the outermost scan points, largest of {deviation/beyond_rim} contacts")
-      .limited("Limits::deviation", limits.deviation, std::abs(d.rim_max.value), " beyond the rim");
+      .limited("{Limits::deviation}", limits.deviation, std::abs(d.rim_max.value), " beyond the rim");
   table.placed("deviation/gap_max", d.gap_max, both_ways)
       .knownIf(d.in_gaps > 0)
       .named("Distance of {deviation/in_gaps} contacts in gaps of the scan from the extrapolated surface, largest");
@@ -98,12 +98,12 @@ addBands(FigureTable& table, const RemovalFigures& r, const Limits& limits)
   table.placed("material/highest", highest, height)
       .forPeople()
       .named(r.scallop.samples > 0 ? "Scallop, highest" : "Stock left, highest (no ridge was measured)")
-      .limited("Limits::scallop", limits.scallop, highest.value, "", true);
+      .limited("{Limits::scallop}", limits.scallop, highest.value, "", true);
   addStock(table, "material/stock", r.stock);
   addStock(table, "material/rim_band", r.rim);
   table.at("material/rim_band/max")
       .named("Stock within one step-over of the rim, highest")
-      .limited("Limits::scallop", limits.scallop, r.rim.max.value, " left at the rim");
+      .limited("{Limits::scallop}", limits.scallop, r.rim.max.value, " left at the rim");
   addStock(table, "material/unreached", r.unreached);
   table.at("material/unreached/max").named("Stock where the ball does not reach, highest; no verdict");
   table.number("material/fitting_radius", r.fitting_radius, step)
@@ -119,18 +119,18 @@ addGouges(FigureTable& table, const RemovalFigures& r, const Limits& limits)
   table.placed("material/gouge", r.gouge, height)
       .knownIf(r.gouge.value > 0.0, "none")
       .named(r.gouge.value > 0.0 ? "Gouge, deepest" : "Gouge")
-      .limited("Limits::gouge", limits.gouge, r.gouge.value, "", true);
+      .limited("{Limits::gouge}", limits.gouge, r.gouge.value, "", true);
   table.placed("material/rim_gouge", r.rim_gouge, height)
       .knownIf(r.rim_gouge.value > 0.0)
       .named("Gouge at the rim, just outside the outermost scan points, deepest")
-      .limited("Limits::gouge", limits.gouge, r.rim_gouge.value, " beyond the rim");
+      .limited("{Limits::gouge}", limits.gouge, r.rim_gouge.value, " beyond the rim");
   table.placed("material/face_depth", r.face_depth, height)
       .knownIf(r.face_depth.value > 0.0)
       .named("Depth below the flat faces of the mesh, deepest; no verdict");
   table.placed("material/face_gouge", r.face_gouge, height)
       .knownIf(r.face_gouge.value > 0.0)
       .named("Gouge into the flat faces: depth that the bends between them do not explain")
-      .limited("Limits::gouge", limits.gouge, r.face_gouge.value, " into the flat faces of the mesh");
+      .limited("{Limits::gouge}", limits.gouge, r.face_gouge.value, " into the flat faces of the mesh");
 }
 
 void
@@ -144,7 +144,7 @@ addMaterial(FigureTable& table, const RemovalFigures& r, const Limits& limits)
   addGouges(table, r, limits);
   const double uncut = uncutPercent(r);
   Figure& uncut_points = table.number("material/uncut", uncut, percent);
-  uncut_points.forPeople().named("Uncut points").limited("Limits::uncut", limits.uncut, uncut);
+  uncut_points.forPeople().named("Uncut points").limited("{Limits::uncut}", limits.uncut, uncut);
   if (uncut > 0.0)
     uncut_points.first(firstUncut(r));
   table.number("material/area", r.area, {});

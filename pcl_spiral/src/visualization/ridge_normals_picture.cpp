@@ -4,7 +4,7 @@
 #include "ridge_display.h"
 
 #include "box_axes.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/visualization/ridge_picture.h>
 
 #include <vtkProperty.h>

@@ -168,7 +168,7 @@ writePNG(vtkRenderWindow* window, const std::string& file)
   out.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
   out.close();
   if (!out)
-    throw FileError(file, std::string("cannot be written: ") + std::strerror(errno));
+    throw FileError(file, Diagnostic("cannot be written: ", std::string(std::strerror(errno))));
 }
 
 void

@@ -3,7 +3,7 @@
 
 #include "scallop_check.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
@@ -64,9 +64,9 @@ warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& re
     return;
   const double most = job.cutter.radius + result.drive.step_over, overrun = std::min(job.drive.overrun + missed, most);
   const bool helps = job.drive.axisMode() == DriveAxisMode::Cylinder && job.drive.overrun < most;
-  result.warnings.push_back(textOf("up to ", missed, " mm at an end of the column are not cut",
-                                   helps ? textOf("; where the wall leans, the cutter touches it beside the cutter's axis: "
-                                                  "extend the path beyond the ends, such as --overrun ",
-                                                  std::ceil(10.0 * overrun) / 10.0)
-                                         : std::string(": check the path there")));
+  result.warnings.push_back(Diagnostic("up to ", missed, " mm at an end of the column are not cut",
+                                       helps ? Diagnostic("; where the wall leans, the cutter touches it beside the cutter's axis: "
+                                                          "extend the path beyond the ends, such as --overrun ",
+                                                          std::ceil(10.0 * overrun) / 10.0)
+                                             : Diagnostic(": check the path there")));
 }

@@ -6,7 +6,7 @@
 #include "terminal/command_line.h"
 #include "terminal/read_options.h"
 #include "terminal/scan_places.h"
-#include "terminal/setter_names.h"
+#include "terminal/vocabulary.h"
 
 using pcl_spiral::DriveAxisMode;
 

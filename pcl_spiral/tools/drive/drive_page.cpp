@@ -3,13 +3,14 @@
 #include "job_check.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
+#include "terminal/vocabulary.h"
 
 #include "io/report/cutter_text.h"
 #include "io/report/html_page.h"
 #include "io/report/verification_html.h"
 #include "io/setting_names.h"
 #include "mesh/mesh_findings.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/impl/side_text.h>
 
 using namespace pcl_spiral;
@@ -54,12 +55,12 @@ addPart(HtmlPage& page, const Result& result)
   HtmlRows rows;
   if (result.mesh) {
     rows.push_back({"Faces, vertices", formatted("%zu, %zu", result.mesh->faceCount(), result.mesh->vertexCount())});
-    if (const std::string found = findingsText(result.mesh->counts()); !found.empty())
-      rows.push_back({"Found in it", found});
+    if (const Diagnostic found = findingsText(result.mesh->counts()); !found.empty())
+      rows.push_back({"Found in it", inWords(found)});
   }
   else {
     rows.push_back({"Points", std::to_string(result.scan.cloud->size())});
-    rows.push_back({"Side of the cutter", sideText(result.side)});
+    rows.push_back({"Side of the cutter", inWords(sideText(result.side))});
   }
   if (const auto& column = result.drive.column)
     rows.push_back({"Column", formatted("radius %.4g to %.4g mm, covered over %.0f\u00b0", column->least_radius, column->largest_radius,
@@ -102,14 +103,15 @@ void
 writeDrivePage(const std::string& file, const std::string& title, const Job& job, const Result& result,
                const std::vector<ReportPicture>& pictures)
 {
-  HtmlPage page(title, textOf("Passes over a ", result.mesh ? "mesh" : "scanned surface", "; cutter of ", cutterText(job.cutter)));
+  HtmlPage page(title,
+                Diagnostic("Passes over a ", result.mesh ? "mesh" : "scanned surface", "; cutter of ", cutterText(job.cutter)).text());
   page.addPart("Path and surface");
   for (const ReportPicture& picture : pictures)
     page.addPicture(picture);
   addPath(page, job, result);
   addPart(page, result);
   page.addPart("Run");
-  addWarnings(page, inScan(result.warnings));
+  addWarnings(page, textsOf(result.warnings, programWords()));
   addSettings(page, job);
   addTimes(page, result);
   page.addHeading("Made by");

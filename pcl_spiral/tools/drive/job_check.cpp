@@ -4,12 +4,11 @@
 #include "program/program_check.h"
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
-#include "terminal/setter_names.h"
 
 #include "io/setting_names.h"
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
@@ -32,13 +31,13 @@ void
 requireMeant(const Job& job)
 {
   const DriveKind kind = job.drive.kind;
-  const auto require = [&](const char* option, bool meant, const std::string& remedy) {
+  const auto require = [&](const char* option, bool meant, const Diagnostic& remedy) {
     if (isGiven(job, option) && !meant)
-      throw UsageError(std::string("--") + option + ": " + remedy);
+      throw UsageError(Diagnostic("--", option, ": ", remedy));
   };
-  const std::string is = "--drive " + choiceName(kind) + " does not use it; leave it out";
+  const Diagnostic is("--drive ", choiceName(kind), " does not use it; leave it out");
   require("overrun", job.drive.goesRound(), is);
-  require("column-axis", usesColumn(job), is + " (or give --axis-mode cylinder)");
+  require("column-axis", usesColumn(job), Diagnostic(is, " (or give --axis-mode cylinder)"));
   require("column-centre", job.column_axis.has_value(), "no --column-axis is given; give the direction too");
   require("direction", kind == DriveKind::Planes, is);
   require("rows", kind == DriveKind::Planes, is);
@@ -71,10 +70,10 @@ completeScallop(Job& job)
   if (!isGiven(job, "scallop"))
     return;
   requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
-                "must be above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
+                "must be above 0 and below the tool radius, which is " + Diagnostic(job.cutter.radius) + " mm");
   const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.scallop);
   if (!step)
-    throw UsageError("--scallop " + textOf(job.scallop) + ": no step-over gives this height with this cutter; give a --step-over");
+    throw UsageError(Diagnostic("--scallop ", job.scallop, ": no step-over gives this height with this cutter; give a --step-over"));
   d.step_over = *step;
   d.scallop_height = job.scallop;
 }
@@ -86,21 +85,21 @@ requireMeshMeant(const Job& job)
   for (const char* option : {"columns", "skip-lines", "raw-scan", "leave-out-strays", "largest", "thin", "view-point", "part-at", "region",
                              "crop", "keep-out", "clusters"})
     if (job.mesh && isGiven(job, option))
-      throw UsageError(std::string("--") + option + ": belongs to scans, and --mesh uses the faces of a mesh; leave one of them out");
+      throw UsageError(Diagnostic("--", option, ": belongs to scans, and --mesh uses the faces of a mesh; leave one of them out"));
   for (const char* option : {"crease-angle", "no-gouge-check"})
     if (!job.mesh && isGiven(job, option))
-      throw UsageError(std::string("--") + option + ": belongs to meshes; add --mesh to use the faces of the file, or leave it out");
+      throw UsageError(Diagnostic("--", option, ": belongs to meshes; add --mesh to use the faces of the file, or leave it out"));
   requireOption(job.mesh_settings.crease_angle > 0.0 && job.mesh_settings.crease_angle <= 180.0, "crease-angle",
                 job.mesh_settings.crease_angle, "must be above 0 degrees and at most 180, such as 30");
   const DriveKind kind = job.drive.kind;
   if (job.mesh && kind == DriveKind::BoundaryOffset)
-    throw UsageError("--drive " + choiceName(kind) +
-                     ": offsets run over the points of a scan, not over a mesh; use --drive planes, or leave "
-                     "--mesh out: then the vertices are a scan");
+    throw UsageError(Diagnostic("--drive ", choiceName(kind),
+                                ": offsets run over the points of a scan, not over a mesh; use --drive planes, or leave "
+                                "--mesh out: then the vertices are a scan"));
   if (job.no_gouge_check && kind != DriveKind::Planes)
-    throw UsageError("--no-gouge-check: with --drive " + choiceName(kind) +
-                     " the places are not on the mesh until the cutter moves "
-                     "down to it; leave it out");
+    throw UsageError(Diagnostic("--no-gouge-check: with --drive ", choiceName(kind),
+                                " the places are not on the mesh until the cutter moves "
+                                "down to it; leave it out"));
   if (job.no_gouge_check && !job.holder.empty())
     throw UsageError("--no-gouge-check: a --holder is given, and only that check looks at the holder; leave one of them out");
   if (job.no_gouge_check && (isGiven(job, "max-retilt") || isGiven(job, "ceiling")))
@@ -126,7 +125,8 @@ completePath(Job& job)
   if (is_curve && job.curve_file.empty())
     throw UsageError("--drive curve: no --curve is given; give a file with the points of the curve in order");
   if (!is_curve && !job.curve_file.empty())
-    throw UsageError("--curve " + job.curve_file + ": --drive is " + choiceName(d.kind) + "; use --drive curve, or leave --curve out");
+    throw UsageError(
+        Diagnostic("--curve ", job.curve_file, ": --drive is ", choiceName(d.kind), "; use --drive curve, or leave --curve out"));
   if (is_curve && job.regions.several())
     throw UsageError("--drive curve: the same curve would be followed over each region; give one region, or --drive planes");
   if (job.column_axis && !(job.column_axis->norm() > 0.0))
@@ -134,7 +134,7 @@ completePath(Job& job)
   if (is_curve)
     return; // the points are read later
   if (const Status status = checkSettings(d); !status.ok())
-    throw UsageError(inOptions(status.message()));
+    throw UsageError(status.diagnostic());
 }
 
 } // namespace

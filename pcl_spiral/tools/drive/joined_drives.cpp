@@ -106,7 +106,7 @@ joined(const Job& job, std::vector<Result> regions)
     all.passes.insert(all.passes.end(), region.passes.begin(), region.passes.end());
     all.length += region.length;
     all.off_scan += region.off_scan;
-    for (std::string& warning : ofRegion(region.region, region.warnings))
+    for (Diagnostic& warning : ofRegion(region.region, region.warnings))
       all.warnings.push_back(std::move(warning));
     add(region.drive, all.drive);
     add(region.locations, all.locations);

@@ -2,10 +2,9 @@
 #include "mesh_part.h"
 
 #include "passes/scan_surface.h"
-#include "terminal/setter_names.h"
 
 #include "mesh/mesh_findings.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 
@@ -25,12 +24,12 @@ requireLargerThanCutter(const Job& job, const SurfaceMesh& mesh)
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
     box.extend(mesh.position(v));
   if (box.diagonal().norm() < job.cutter.radius)
-    throw FileError(job.scan, textOf("the mesh, from ", placeText(box.min()), " to ", placeText(box.max()),
-                                     ", is smaller than the "
-                                     "cutter's radius of ",
-                                     job.cutter.radius,
-                                     " mm: is it in another unit? Give the unit, such as --units m, "
-                                     "or a smaller --tool-radius"));
+    throw FileError(job.scan, Diagnostic("the mesh, from ", Place(box.min()), " to ", Place(box.max()),
+                                         ", is smaller than the "
+                                         "cutter's radius of ",
+                                         job.cutter.radius,
+                                         " mm: is it in another unit? Give the unit, such as --units m, "
+                                         "or a smaller --tool-radius"));
 }
 
 } // namespace
@@ -40,16 +39,16 @@ readMeshPart(const Job& job, Result& result)
 {
   const MeshFile file = readMesh(job.scan, job.read);
   setScanFrame(file.shift, job.read);
-  result.scan.warnings = inOptions(file.warnings);
+  result.scan.warnings = file.warnings;
   require(job.scan, SurfaceMesh::make(*file.mesh, job.mesh_settings, result.mesh));
   requireLargerThanCutter(job, *result.mesh);
   const MeshCounts& counts = result.mesh->counts();
-  if (const std::string found = findingsText(counts); !found.empty())
-    result.warnings.push_back("the mesh: " + found);
+  if (const Diagnostic found = findingsText(counts); !found.empty())
+    result.warnings.push_back(Diagnostic("the mesh: ", found));
   if (counts.creases.count > 0)
-    result.warnings.push_back(textOf("the mesh has ", counts.crease_length, " mm of creases (edges bent by more than ",
-                                     job.mesh_settings.crease_angle, " degrees), the first at ", placeText(counts.creases.place),
-                                     ": they stay sharp; if the part is round there, increase --crease-angle"));
+    result.warnings.push_back(Diagnostic("the mesh has ", counts.crease_length, " mm of creases (edges bent by more than ",
+                                         job.mesh_settings.crease_angle, " degrees), the first at ", Place(counts.creases.place),
+                                         ": they stay sharp; if the part is round there, increase --crease-angle"));
 }
 
 std::vector<ToolLocations>

@@ -13,10 +13,9 @@
 #include "program/program_check.h"
 #include "scallop_check.h"
 #include "terminal/region_choice.h"
-#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/surface/impl/side_text.h>
@@ -77,9 +76,9 @@ void
 warnOfSide(const Job& job, Result& result)
 {
   if (const DriveAxisMode mode = job.drive.axisMode(); mode == DriveAxisMode::Surface || mode == DriveAxisMode::LocalPlane) {
-    for (std::string& warning : sideWarnings(result.side))
+    for (Diagnostic& warning : sideWarnings(result.side))
       result.warnings.push_back(std::move(warning));
-    for (std::string& warning : viewPointWarnings(result.asked_side, result.side))
+    for (Diagnostic& warning : viewPointWarnings(result.asked_side, result.side))
       result.warnings.push_back(std::move(warning));
   }
 }
@@ -88,14 +87,13 @@ warnOfSide(const Job& job, Result& result)
 void
 warnOfPath(const Job& job, Result& result)
 {
-  std::vector<std::string>& warnings = result.warnings;
+  Diagnostics& warnings = result.warnings;
   warnings.insert(warnings.begin(), result.scan.warnings.begin(), result.scan.warnings.end());
   warnings.insert(warnings.end(), result.drive.warnings.begin(), result.drive.warnings.end());
   warnOfLocations(job, result);
   if (job.no_gouge_check)
     warnings.push_back("the cutter was not checked against the rest of the mesh (--no-gouge-check): it gouges hollows narrower "
                        "than itself");
-  result.warnings = inOptions(warnings);
 }
 
 /** The passes over the region that job.choice chooses. */
@@ -119,8 +117,8 @@ planned(const Job& job, ProgressBar& bar)
     warnOfSide(job, result);
   }
   if (!job.raw_scan.empty() && surface)
-    result.warnings.push_back(smoothingText(rawScanFigures(job.raw_scan, job.read, *surface), job.raw_scan) +
-                              "; pcl_spiral_verify --raw-scan judges the path by it");
+    result.warnings.push_back(Diagnostic(smoothingText(rawScanFigures(job.raw_scan, job.read, *surface), job.raw_scan),
+                                         "; pcl_spiral_verify --raw-scan judges the path by it"));
   const DrivePasses passes = drivePasses(job, surface, bar, result);
   clock.end("drive path");
   std::vector<ToolLocations> located = job.no_gouge_check ? standAtContacts(job, passes) : locateCutter(job, surface, passes, bar, result);

@@ -4,7 +4,7 @@
 
 #include "cutter/swept_heights.h"
 #include "cutter/tool_body.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
 
@@ -19,11 +19,11 @@ namespace {
 constexpr std::size_t most_places = 6000;
 constexpr double ignored_share = 0.02; // of the surface: steep rims, creases
 
-struct Place {
+struct CutPlace {
   Vector3d x, normal;
 };
 
-std::vector<Place>
+std::vector<CutPlace>
 scanPlaces(const Surface& surface)
 {
   std::vector<Vector3d> points;
@@ -32,14 +32,14 @@ scanPlaces(const Surface& surface)
     points.push_back(surface.graph().position(i));
   std::vector<SurfaceFoot> feet;
   surface.fit().project(points, feet);
-  std::vector<Place> places;
+  std::vector<CutPlace> places;
   for (const SurfaceFoot& foot : feet)
     if (foot.valid)
       places.push_back({foot.position, foot.normal});
   return places;
 }
 
-std::vector<Place>
+std::vector<CutPlace>
 meshPlaces(const Job& job, const SurfaceMesh::ConstPtr& mesh)
 {
   MeshSampling sampling;
@@ -48,7 +48,7 @@ meshPlaces(const Job& job, const SurfaceMesh::ConstPtr& mesh)
   pcl::PointCloud<pcl::PointNormal> samples;
   sampling.compute(samples);
   require(job.part, sampling.getStatus());
-  std::vector<Place> places;
+  std::vector<CutPlace> places;
   const std::size_t every = 1 + samples.size() / most_places;
   for (std::size_t i = 0; i < samples.size(); i += every)
     places.push_back({samples[i].getVector3fMap().cast<double>(), samples[i].getNormalVector3fMap().cast<double>()});
@@ -56,10 +56,10 @@ meshPlaces(const Job& job, const SurfaceMesh::ConstPtr& mesh)
 }
 
 /** Places that the path is meant to cut: of a column, those between its first and last contact. */
-std::vector<Place>
+std::vector<CutPlace>
 meantPlaces(const Job& job, const Surface::ConstPtr& surface, const Result& result)
 {
-  std::vector<Place> places = result.mesh ? meshPlaces(job, result.mesh) : scanPlaces(*surface);
+  std::vector<CutPlace> places = result.mesh ? meshPlaces(job, result.mesh) : scanPlaces(*surface);
   if (!job.drive.goesRound())
     return places;
   const Vector3d& up = result.drive.column->cylinder.direction;
@@ -69,7 +69,7 @@ meantPlaces(const Job& job, const Surface::ConstPtr& surface, const Result& resu
       low = std::min(low, up.dot(pose.contact));
       high = std::max(high, up.dot(pose.contact));
     }
-  const auto isBeyond = [&](const Place& place) { return up.dot(place.x) < low || up.dot(place.x) > high; };
+  const auto isBeyond = [&](const CutPlace& place) { return up.dot(place.x) < low || up.dot(place.x) > high; };
   places.erase(std::remove_if(places.begin(), places.end(), isBeyond), places.end());
   return places;
 }
@@ -77,7 +77,7 @@ meantPlaces(const Job& job, const Surface::ConstPtr& surface, const Result& resu
 /** What is left over each place: the height along its normal, or, where that is more than asked for, the distance from what is cut, which
  *  is less in a corner; twice the radius of the cutter if nothing is cut below that height. */
 std::vector<double>
-leftOver(const std::vector<Place>& places, const Job& job, const Result& result)
+leftOver(const std::vector<CutPlace>& places, const Job& job, const Result& result)
 {
   std::vector<std::vector<CutterPlace>> passes;
   for (const ToolPoses& pass : result.passes) {
@@ -98,15 +98,15 @@ leftOver(const std::vector<Place>& places, const Job& job, const Result& result)
   return left;
 }
 
-std::string
+Diagnostic
 remedyOf(const Job& job, const Result& result, double height)
 {
   const bool can_keep = job.drive.kind == DriveKind::Planes && job.drive.rows == DriveRows::Even && !job.mesh &&
                         job.drive.axisMode() != DriveAxisMode::Cylinder;
-  const std::string higher =
-      more_left * height < job.cutter.radius ? textOf(", ask for --scallop ", more_left * height) : ""; // else refused
-  return textOf(can_keep ? "use --rows kept" : "take a cutter with a smaller radius", higher, ", or give --step-over ",
-                result.drive.step_over, " instead, which promises no height");
+  const Diagnostic higher =
+      more_left * height < job.cutter.radius ? Diagnostic(", ask for --scallop ", more_left * height) : ""; // else refused
+  return Diagnostic(can_keep ? "use --rows kept" : "take a cutter with a smaller radius", higher, ", or give --step-over ",
+                    result.drive.step_over, " instead, which promises no height");
 }
 
 /** Whether rows are even or kept over all of a scan, and nothing else says what they leave out. */
@@ -118,16 +118,16 @@ isWholeScanMeant(const Job& job, const Result& result)
 }
 
 /** How much of the surface a fixed axis does not reach; empty if no more than rims. */
-std::string
-uncutText(const Job& job, const std::vector<Place>& places, const std::vector<double>& left, const Result& result)
+Diagnostic
+uncutText(const Job& job, const std::vector<CutPlace>& places, const std::vector<double>& left, const Result& result)
 {
   const auto isUncut = [&](double height) { return height >= 2.0 * job.cutter.radius; };
   const auto first = std::find_if(left.begin(), left.end(), isUncut);
   const double share = static_cast<double>(std::count_if(first, left.end(), isUncut)) / static_cast<double>(left.size());
   if (!isWholeScanMeant(job, result) || !(share > ignored_share))
     return "";
-  return textOf(100.0 * share, " % of the surface is not cut, such as at ", placeText(places[first - left.begin()].x),
-                ": it faces away from the tool axis, or the part hides it: choose another --axis, or for a column --drive helix");
+  return Diagnostic(100.0 * share, " % of the surface is not cut, such as at ", Place(places[first - left.begin()].x),
+                    ": it faces away from the tool axis, or the part hides it: choose another --axis, or for a column --drive helix");
 }
 
 } // namespace
@@ -137,9 +137,9 @@ requireScallop(const Job& job, const Surface::ConstPtr& surface, Result& result)
 {
   if (!(surface || result.mesh) || !(job.scallop > 0.0 || isWholeScanMeant(job, result)))
     return;
-  const std::vector<Place> places = meantPlaces(job, surface, result);
+  const std::vector<CutPlace> places = meantPlaces(job, surface, result);
   const std::vector<double> left = leftOver(places, job, result);
-  const std::string uncut = uncutText(job, places, left, result);
+  const Diagnostic uncut = uncutText(job, places, left, result);
   if (!uncut.empty())
     result.warnings.push_back(uncut);
   if (!(job.scallop > 0.0))
@@ -156,9 +156,9 @@ requireScallop(const Job& job, const Surface::ConstPtr& surface, Result& result)
   if (over == 0)
     return;
   const double share = static_cast<double>(over) / static_cast<double>(met);
-  const std::string said = textOf("the passes leave more than the --scallop of ", job.scallop, " mm on ", 100.0 * share,
-                                  " % of the surface, up to ", left[worst], " mm at ", placeText(places[worst].x));
+  const Diagnostic said = Diagnostic("the passes leave more than the --scallop of ", job.scallop, " mm on ", 100.0 * share,
+                                     " % of the surface, up to ", left[worst], " mm at ", Place(places[worst].x));
   if (share > ignored_share)
-    throw FileError(job.part, said + ": " + remedyOf(job, result, left[worst]) + (uncut.empty() ? "" : "; " + uncut));
-  result.warnings.push_back(said + ": check this place");
+    throw FileError(job.part, Diagnostic(said, ": ", remedyOf(job, result, left[worst]), (uncut.empty() ? "" : "; " + uncut)));
+  result.warnings.push_back(Diagnostic(said, ": check this place"));
 }

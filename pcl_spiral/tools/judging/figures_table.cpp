@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "figures_table.h"
 
+#include "terminal/vocabulary.h"
 #include "verify/figure_text.h"
 #include "verify/verification_figures.h"
 
@@ -81,8 +82,8 @@ printFigures(const Verification& verification)
     if (text)
       print(line.label, filled(text, table));
   }
-  for (const std::string& broken : verification.broken)
-    print("LIMIT", broken);
-  for (const std::string& unproven : verification.unproven)
-    print("limit", unproven);
+  for (const Diagnostic& broken : verification.broken)
+    print("LIMIT", inWords(broken));
+  for (const Diagnostic& unproven : verification.unproven)
+    print("limit", inWords(unproven));
 }

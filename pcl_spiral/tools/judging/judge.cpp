@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judge.h"
 
-#include "terminal/setter_names.h"
-
 #include "verify/path_ridges.h"
 #include <pcl_spiral/verify/material_removal.h>
 
@@ -77,7 +75,6 @@ judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::
     heights.deviation = intensities(values);
     verification.deviation = deviation.getFigures();
     verification.side = reference->scanned().side();
-    verification.deviation.warnings = inOptions(verification.deviation.warnings);
   }
   return deviation.getStatus();
 }
@@ -105,7 +102,6 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Point
   heights.stock = intensities(values);
   heights.ridges = removal.getRidgeHeights();
   verification.removal = removal.getFigures();
-  verification.removal.warnings = inOptions(verification.removal.warnings);
   if (removal.getStatus().ok())
     heights.scallop = ridgesAlong(*path, values, heights.ridges);
   verification.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "judge.h"
 #include "terminal/region_choice.h"
 
@@ -53,4 +55,4 @@ std::optional<MeshChoice> meshOptions(const boost::program_options::variables_ma
 JudgeSettings cutterOptions(const boost::program_options::variables_map& given);
 
 /** \throw UsageError with \p message unless \p holds */
-void require(bool holds, const std::string& message);
+void require(bool holds, const pcl_spiral::Diagnostic& message);

@@ -2,11 +2,10 @@
 #include "judged_part.h"
 
 #include "terminal/scan_places.h"
-#include "terminal/setter_names.h"
 
 #include "collision/ball_way.h"
 #include <pcl_spiral/collision/impl/false_echoes.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
@@ -29,9 +28,9 @@ meshPart(const std::string& file, const ReadOptions& read, const MeshChoice& mes
   JudgedPart part;
   const MeshFile faces = readMesh(file, read);
   setScanFrame(faces.shift, read);
-  part.warnings = inOptions(faces.warnings);
+  part.warnings = faces.warnings;
   if (const Status status = SurfaceMesh::make(*faces.mesh, mesh.settings, part.mesh); !status.ok())
-    throw FileError(file, inOptions(status.message()));
+    throw FileError(file, status.diagnostic());
   return part;
 }
 
@@ -48,7 +47,7 @@ regionOf(const std::string& file, const ReadOptions& read, const NamedRegion& re
   part.chosen = choosePart(region.part, file, read, asked.tool, {part.side, asked.flip_normals, asked.threads}, scan);
   part.side = sideOf(scan, view_point);
   part.cloud = scan.cloud;
-  part.warnings = ofRegion(region.name, inOptions(scan.warnings));
+  part.warnings = ofRegion(region.name, scan.warnings);
   return part;
 }
 
@@ -70,11 +69,11 @@ keptOutWays(const pcl::PointCloud<ToolpathPoint>& path, const CutterShape& cutte
 /** The deepest of the points \p beside the part; \p words: what cuts into it. */
 std::optional<BallEntry>
 cutBeside(const std::vector<Eigen::Vector3f>& beside, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
-          std::string& words)
+          Diagnostic& words)
 {
   const CutterShape& cutter = settings.cutter;
   if (isBall(cutter)) {
-    words = textOf("the ball or its shank, taken as ", shank_radii, " radii long,");
+    words = Diagnostic("the ball or its shank, taken as ", shank_radii, " radii long,");
     return deepestPoint(*path, cutter.radius, beside);
   }
   words = "the cutter";
@@ -103,8 +102,8 @@ readParts(const std::string& file, const ReadOptions& read, const std::optional<
   std::vector<JudgedPart> parts;
   for (const NamedRegion& region : regionsOf(asked.choice, asked.regions, read))
     parts.push_back(inRegion(region.name, [&] { return regionOf(file, read, region, view_point, asked, scan); }));
-  std::vector<std::string>& warnings = parts.front().warnings;
-  const std::vector<std::string> reading = inOptions(scan.warnings);
+  Diagnostics& warnings = parts.front().warnings;
+  const Diagnostics& reading = scan.warnings;
   warnings.insert(warnings.begin(), reading.begin(), reading.end());
   return parts;
 }
@@ -123,11 +122,11 @@ leanOf(const pcl::PointCloud<ToolpathPoint>& path)
   return std::min(most_lean, std::acos(std::clamp(*least, -1.0, 1.0)) / degree);
 }
 
-std::vector<std::string>
+Diagnostics
 faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
-             const JudgeSettings& settings, double allowed, std::vector<std::string>& warnings)
+             const JudgeSettings& settings, double allowed, Diagnostics& warnings)
 {
-  std::vector<std::string> faults;
+  Diagnostics faults;
   const char* cutter = isBall(settings.cutter) ? "ball" : "cutter";
   std::optional<BallEntry> entry;
   if (!part.chosen.keep_outs.empty())
@@ -136,43 +135,43 @@ faultsBeside(const JudgedPart& part, const Surface& reference, const pcl::PointC
           found && (!entry || found->depth > entry->depth))
         entry = found;
   if (entry)
-    faults.push_back(textOf("the ", cutter, " enters a keep-out by ", entry->depth, " mm at ", placeText(entry->place)));
+    faults.push_back(Diagnostic("the ", cutter, " enters a keep-out by ", entry->depth, " mm at ", Place(entry->place)));
   std::vector<Eigen::Vector3f> others;
   for (std::size_t i = 0; !part.mesh && i < reference.leftOut().why.size(); ++i)
     if (reference.leftOut().why[i] == LeftOut::OtherPart)
       others.push_back(reference.leftOut().positions[i]);
   const auto cutInto = [&](const std::vector<Eigen::Vector3f>& points) {
-    std::string words;
+    Diagnostic words;
     const auto cut = cutBeside(points, path, settings, words);
-    return cut && cut->depth > allowed ? textOf(words, " cuts ", cut->depth, " mm into the scan at ", placeText(cut->place)) : "";
+    return cut && cut->depth > allowed ? Diagnostic(words, " cuts ", cut->depth, " mm into the scan at ", Place(cut->place)) : Diagnostic();
   };
   const auto requireClear = [&](const std::vector<Eigen::Vector3f>& points, const char* where) {
-    if (const std::string cut = cutInto(points); !cut.empty())
-      faults.push_back(cut + where);
+    if (const Diagnostic cut = cutInto(points); !cut.empty())
+      faults.push_back(Diagnostic(cut, where));
   };
   const char* beside = ", beside what is cut";
   requireClear(part.chosen.kept_out, ", where something stands in a keep-out");
   requireClear(others, beside);
-  if (const std::string cut = cutInto(part.chosen.beside); !cut.empty()) {
+  if (const Diagnostic cut = cutInto(part.chosen.beside); !cut.empty()) {
     const std::size_t before = faults.size();
     requireClear(withoutEchoes(part.chosen.beside, *part.whole), beside);
     if (faults.size() == before)
-      warnings.push_back(cut + beside + ": only single points off the surface are there, usually false echoes");
+      warnings.push_back(Diagnostic(cut, beside, ": only single points off the surface are there, usually false echoes"));
   }
   requireClear(reference.riddenPoints(), ", where a cluster of points stands on the part");
   return faults;
 }
 
-std::string
+Diagnostic
 faultInRaw(const RawScanFigures& raw, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, double allowed)
 {
-  std::string words;
+  Diagnostic words;
   auto cut = cutBeside(raw.means, path, settings, words);
   if (!cut || cut->depth <= allowed + raw.leastMean()) {
     cut = cutBeside(raw.others, path, settings, words);
     if (!cut || cut->depth <= allowed + single_points * raw.noise + raw.fit_error)
-      return "";
+      return {};
   }
-  return textOf(words, " cuts ", cut->depth, " mm into the raw scan at ", placeText(cut->place),
-                ", where smoothing moved it: smooth with a smaller radius");
+  return Diagnostic(words, " cuts ", cut->depth, " mm into the raw scan at ", Place(cut->place),
+                    ", where smoothing moved it: smooth with a smaller radius");
 }

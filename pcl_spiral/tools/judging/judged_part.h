@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "judge_options.h"
 #include "raw_scan_option.h"
 #include "terminal/region_choice.h"
@@ -17,8 +19,8 @@ struct JudgedPart {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole; ///< the scan with what the choice of the part left out
   ScanSide side;                                  ///< of the scan
   pcl_spiral::SurfaceMesh::ConstPtr mesh;
-  ChosenPart chosen;                 ///< of the scan
-  std::vector<std::string> warnings; ///< from reading
+  ChosenPart chosen;                ///< of the scan
+  pcl_spiral::Diagnostics warnings; ///< from reading
 };
 
 /** Which points of a scan are judged, in how many regions, and by what cutter they are cut. */
@@ -39,12 +41,12 @@ std::vector<JudgedPart> readParts(const std::string& file, const pcl_spiral::Rea
 double leanOf(const pcl::PointCloud<pcl_spiral::ToolpathPoint>& path);
 
 /** What is wrong where the path cuts into the \p raw scan, deeper than \p allowed and the noise of its means. Empty: nothing. */
-std::string faultInRaw(const pcl_spiral::RawScanFigures& raw, const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
-                       const JudgeSettings& settings, double allowed);
+pcl_spiral::Diagnostic faultInRaw(const pcl_spiral::RawScanFigures& raw, const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path,
+                                  const JudgeSettings& settings, double allowed);
 
 /** What is wrong where the path meets the limits of the part: its cutter enters a keep-out, or cuts into what stands there, into the scan
  *  beside, into the parts that \p reference leaves out, or into a cluster that stands on it. Empty: nothing. \p settings: cutter and tips.
  *  \p allowed: depth of a cut that counts as none, mm. Adds to \p warnings where only false echoes beside the part are met. */
-std::vector<std::string> faultsBeside(const JudgedPart& part, const pcl_spiral::Surface& reference,
-                                      const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
-                                      double allowed, std::vector<std::string>& warnings);
+pcl_spiral::Diagnostics faultsBeside(const JudgedPart& part, const pcl_spiral::Surface& reference,
+                                     const pcl::PointCloud<pcl_spiral::ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+                                     double allowed, pcl_spiral::Diagnostics& warnings);

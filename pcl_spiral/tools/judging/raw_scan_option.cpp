@@ -3,7 +3,7 @@
 
 #include "terminal/scan_places.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 
 using namespace pcl_spiral;
@@ -17,8 +17,8 @@ rawScanFigures(const std::string& file, const ReadOptions& read, const Surface& 
     points.push_back(p.getVector3fMap());
   RawScanFigures figures = compareWithRaw(smoothed, points);
   if (points.empty() || 2 * figures.points < points.size())
-    throw FileError(file, textOf(points.size() - figures.points, " of ", points.size(),
-                                 " points of this raw scan have no smoothed surface near: is it another part, another unit, or are its "
-                                 "columns others?"));
+    throw FileError(file, Diagnostic(points.size() - figures.points, " of ", points.size(),
+                                     " points of this raw scan have no smoothed surface near: is it another part, another unit, or are its "
+                                     "columns others?"));
   return figures;
 }

@@ -7,7 +7,6 @@
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 
 #include <cmath>
-#include <sstream>
 
 using namespace pcl_spiral;
 
@@ -26,7 +25,7 @@ countTip(double off, const Eigen::Vector3d& contact, std::size_t i, Verification
     verification.tip_error = {off, contact, i};
 }
 
-std::string
+Diagnostic
 checkContacts(const ToolpathFile& file, const CutterShape& cutter, Verification& verification)
 {
   const ProfileDepth profile{CutterProfile(cutter)};
@@ -37,15 +36,13 @@ checkContacts(const ToolpathFile& file, const CutterShape& cutter, Verification&
     countTip(off, contact, i, verification);
   }
   if (verification.tips_off == 0)
-    return "";
-  std::ostringstream text;
-  text << verification.tips_off << " of " << file.tips.size() << " tool tips do not bring this cutter to their contact, by up to "
-       << verification.tip_error.value << " mm at path point " << verification.tip_error.index
-       << ": give the cutter that the path was made for (--tool-radius, --corner-radius, --flank-length, --flank-angle)";
-  return text.str();
+    return {};
+  return Diagnostic(verification.tips_off, " of ", file.tips.size(), " tool tips do not bring this cutter to their contact, by up to ",
+                    verification.tip_error.value, " mm at path point ", verification.tip_error.index,
+                    ": give the cutter that the path was made for (--tool-radius, --corner-radius, --flank-length, --flank-angle)");
 }
 
-std::string
+Diagnostic
 checkBall(const ToolpathFile& file, double tool_radius, Verification& verification)
 {
   double along = 0.0, squared = 0.0; // least squares of tip - contact = radius (normal - axis)
@@ -59,21 +56,18 @@ checkBall(const ToolpathFile& file, double tool_radius, Verification& verificati
     countTip(off, contact, i, verification);
   }
   if (verification.tips_off == 0)
-    return "";
-  std::ostringstream text;
-  text << verification.tips_off << " of " << file.tips.size() << " tool tips are not where a ball of radius " << tool_radius
-       << " mm has them, by up to " << verification.tip_error.value << " mm at path point " << verification.tip_error.index;
+    return {};
+  const Diagnostic fault(verification.tips_off, " of ", file.tips.size(), " tool tips are not where a ball of radius ", tool_radius,
+                         " mm has them, by up to ", verification.tip_error.value, " mm at path point ", verification.tip_error.index);
   const double radius = squared > 0.0 ? along / squared : 0.0;
   if (2 * verification.tips_off > file.tips.size() && radius > 0.01 * tool_radius)
-    text << ": the path seems made for a radius of " << radius << " mm";
-  else
-    text << ": the machine would not go where the contacts say; make the file again";
-  return text.str();
+    return Diagnostic(fault, ": the path seems made for a radius of ", radius, " mm");
+  return Diagnostic(fault, ": the machine would not go where the contacts say; make the file again");
 }
 
 } // namespace
 
-std::string
+Diagnostic
 checkTips(const ToolpathFile& file, const CutterShape& cutter, Verification& verification)
 {
   return isBall(cutter) ? checkBall(file, cutter.radius, verification) : checkContacts(file, cutter, verification);

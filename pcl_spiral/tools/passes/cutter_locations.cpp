@@ -3,7 +3,7 @@
 #include "scan_surface.h"
 
 #include "cutter/tool_body.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/io/file_error.h>
 
@@ -59,11 +59,11 @@ requireNoCollision(const PassJob& job, const std::vector<ToolLocations>& located
     }
   if (!worst || job.program.accept_collisions)
     return;
-  throw FileError(job.part, textOf(nameOf(worst->collision, job.holder), " would be ", worst->collision.depth, " mm deep in the part at ",
-                                   placeText(worst->collision.place), ", the tip at ", placeText(worst->tip), "; at ", count,
-                                   " locations in total: use a longer or thinner tool, another axis, ",
-                                   job.max_retilt > 0.0 ? "a larger --max-retilt" : "lean the axis by --max-retilt 30",
-                                   ", or --accept-collisions to write the path anyway"));
+  throw FileError(job.part, Diagnostic(nameOf(worst->collision, job.holder), " would be ", worst->collision.depth,
+                                       " mm deep in the part at ", Place(worst->collision.place), ", the tip at ", Place(worst->tip),
+                                       "; at ", count, " locations in total: use a longer or thinner tool, another axis, ",
+                                       job.max_retilt > 0.0 ? "a larger --max-retilt" : "lean the axis by --max-retilt 30",
+                                       ", or --accept-collisions to write the path anyway"));
 }
 
 void
@@ -86,12 +86,13 @@ requireKnownEnd(const PassJob& job, const std::vector<ToolLocations>& located)
     return; // a warning says it
   const double length = toolLength(CutterProfile(job.cutter), job.holder);
   throw FileError(
-      job.part, textOf("at ", count, " locations the scan goes on above the end of the tool, first with the tip at ", placeText(under->tip),
-                       job.holder.empty() ? textOf(", and the tool is taken as ", length, " mm long: give its shank and holder (--holder)")
-                                          : textOf(", ", length, " mm above the tip: what holds the tool would be in it"),
-                       ", let the cutter be lifted over what is there (--ceiling 1000), or, if nothing of the tool is above, "
-                       "say so (--ceiling ",
-                       length, ")"));
+      job.part,
+      Diagnostic("at ", count, " locations the scan goes on above the end of the tool, first with the tip at ", Place(under->tip),
+                 job.holder.empty() ? Diagnostic(", and the tool is taken as ", length, " mm long: give its shank and holder (--holder)")
+                                    : Diagnostic(", ", length, " mm above the tip: what holds the tool would be in it"),
+                 ", let the cutter be lifted over what is there (--ceiling 1000), or, if nothing of the tool is above, "
+                 "say so (--ceiling ",
+                 length, ")"));
 }
 
 void
@@ -122,27 +123,27 @@ takePoses(const std::vector<ToolLocations>& located, PassResult& result)
 void
 warnOfLocations(const PassJob& job, PassResult& result)
 {
-  std::vector<std::string>& warnings = result.warnings;
+  Diagnostics& warnings = result.warnings;
   warnings.insert(warnings.end(), result.locations.warnings.begin(), result.locations.warnings.end());
   const LeftOutLocations& left = result.left_out;
   if (left.entering > 0)
-    warnings.push_back(textOf(left.entering, locationsWere(left.entering),
-                              " left out because the cutter would enter a keep-out there; passes are "
-                              "interrupted (--keep-out)"));
+    warnings.push_back(Diagnostic(left.entering, locationsWere(left.entering),
+                                  " left out because the cutter would enter a keep-out there; passes are "
+                                  "interrupted (--keep-out)"));
   if (left.touching > 0)
-    warnings.push_back(textOf(left.touching, locationsWere(left.touching), " left out because the tool would be up to ", left.deepest,
-                              " mm deep in what stands in a keep-out, first at ", placeText(left.first),
-                              "; passes are interrupted (--keep-out)"));
+    warnings.push_back(Diagnostic(left.touching, locationsWere(left.touching), " left out because the tool would be up to ", left.deepest,
+                                  " mm deep in what stands in a keep-out, first at ", Place(left.first),
+                                  "; passes are interrupted (--keep-out)"));
   if (left.beside > 0)
-    warnings.push_back(textOf(left.beside, locationsWere(left.beside), " left out because the tool would be up to ", left.deepest_beside,
-                              " mm deep in the scan beside what is cut, first at ", placeText(left.first_beside),
-                              "; passes are interrupted"));
+    warnings.push_back(Diagnostic(left.beside, locationsWere(left.beside), " left out because the tool would be up to ",
+                                  left.deepest_beside, " mm deep in the scan beside what is cut, first at ", Place(left.first_beside),
+                                  "; passes are interrupted"));
   if (const std::size_t off = result.off_scan - std::min(result.off_scan, left.count()); off > 0)
-    warnings.push_back(textOf(off, off == 1 ? " location has" : " locations have", " no part of the surface below the cutter and ",
-                              off == 1 ? "was" : "were", " left out; passes are interrupted there"));
+    warnings.push_back(Diagnostic(off, off == 1 ? " location has" : " locations have", " no part of the surface below the cutter and ",
+                                  off == 1 ? "was" : "were", " left out; passes are interrupted there"));
   if (result.bisection.unresolved > 0)
-    warnings.push_back(textOf(
+    warnings.push_back(Diagnostic(
         result.bisection.unresolved, result.bisection.unresolved == 1 ? " move exceeds the" : " moves exceed the tolerance of ",
-        job.tolerance, " mm, the worst by an error of ", result.bisection.largest_error, " mm at ", placeText(result.bisection.worst_place),
+        job.tolerance, " mm, the worst by an error of ", result.bisection.largest_error, " mm at ", Place(result.bisection.worst_place),
         ": the axis turns too fast or the surface is too steep there; check this place before you cut"));
 }

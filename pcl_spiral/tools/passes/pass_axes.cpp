@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_axes.h"
-#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
 #include "drive/pass_axes.h"
@@ -8,7 +7,7 @@
 using namespace pcl_spiral;
 
 void
-smoothPasses(const PassJob& job, DrivePasses& passes, std::vector<std::string>& warnings, const std::optional<double>& stand_off)
+smoothPasses(const PassJob& job, DrivePasses& passes, Diagnostics& warnings, const std::optional<double>& stand_off)
 {
   PassAxisSettings settings;
   settings.smoothing_length = job.axis_smoothing;
@@ -16,6 +15,6 @@ smoothPasses(const PassJob& job, DrivePasses& passes, std::vector<std::string>& 
   settings.stand_off = stand_off;
   PassAxisReport report;
   if (const Status status = smoothPassAxes(settings, passes, report); !status.ok())
-    throw UsageError(inOptions(status.message()));
+    throw UsageError(status.diagnostic());
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
 }

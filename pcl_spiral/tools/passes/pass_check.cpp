@@ -8,7 +8,7 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 
@@ -53,8 +53,8 @@ checkTool(const PassJob& job)
     throw UsageError("--pole-cone: axes are blended only for ball cutters, because the ball's centre does not move; leave it out");
   requireOption(job.tolerance >= least_tolerance, "tolerance", job.tolerance, "must be 0.0001 mm or more, such as 0.01");
   requireOption(job.tolerance <= std::max(least_tolerance, 0.1001 * job.cutter.radius), "tolerance", job.tolerance,
-                textOf("must be at most a tenth of the tool radius of ", job.cutter.radius, " mm, such as ",
-                       std::max(least_tolerance, 0.01 * job.cutter.radius)));
+                Diagnostic("must be at most a tenth of the tool radius of ", job.cutter.radius, " mm, such as ",
+                           std::max(least_tolerance, 0.01 * job.cutter.radius)));
 }
 
 void
@@ -77,12 +77,12 @@ checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vec
       std::string known = ".csv .pcd .ply .vtp .ngc .nc .mpf .h .apt .cls .yaml .6d .5d .json ";
       for (const std::string& kind : more_kinds)
         known += kind + " ";
-      throw UsageError("-o " + file + ": extension '" + extension + "' is not known; use " + known + "or .png");
+      throw UsageError(Diagnostic("-o ", file, ": extension '", extension, "' is not known; use ", known, "or .png"));
     }
     if (!isBall(job) && (extension == ".pcd" || extension == ".ply"))
-      throw UsageError("-o " + file +
-                       ": this format holds contacts, and only for a ball do they give the tips; write the path of this "
-                       "tool as .csv, .vtp, .6d or a program");
+      throw UsageError(Diagnostic("-o ", file,
+                                  ": this format holds contacts, and only for a ball do they give the tips; write the path of this "
+                                  "tool as .csv, .vtp, .6d or a program"));
   }
   inputs.push_back({"the machine's file", job.program.machine_file});
   inputs.push_back({"the job file", job.config_file});
@@ -91,9 +91,9 @@ checkOutputs(const PassJob& job, const std::vector<std::string>& files, std::vec
   for (auto file = files.begin(); file != files.end(); ++file) {
     requireNoInput(*file, inputs);
     if (std::find(files.begin(), file, *file) != file)
-      throw UsageError("-o " + *file + ": is given twice" +
-                       (std::count(job.outputs.begin(), job.outputs.end(), *file) < 2
-                            ? ", because it is written with another picture; rename one"
-                            : ""));
+      throw UsageError(Diagnostic("-o ", *file, ": is given twice",
+                                  (std::count(job.outputs.begin(), job.outputs.end(), *file) < 2
+                                       ? ", because it is written with another picture; rename one"
+                                       : "")));
   }
 }

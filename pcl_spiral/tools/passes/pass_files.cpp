@@ -9,12 +9,11 @@
 #include "terminal/terminal.h"
 
 #include "io/report/cutter_text.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 using namespace pcl_spiral;
 
@@ -73,7 +72,7 @@ textsOf(const PassJob& job, const std::string& title)
   ProgramTexts texts{title, {}, job.tolerance};
   if (job.cutter.radius > 0.0)
     texts.notes.push_back("cutter " + cutterText(job.cutter));
-  texts.notes.push_back(textOf("tolerance ", job.tolerance, " mm, feed ", job.feed, " mm/min"));
+  texts.notes.push_back(Diagnostic("tolerance ", job.tolerance, " mm, feed ", job.feed, " mm/min").text());
   return texts;
 }
 
@@ -108,5 +107,5 @@ try {
   files.commit();
 }
 catch (const FileError& error) {
-  throw std::runtime_error(files.asGiven(error.what()) + "; no output has been changed");
+  throw FileError(Diagnostic(files.asGiven(error.diagnostic()), "; no output has been changed"));
 }

@@ -8,7 +8,7 @@
 #include "program/machine_moves.h"
 #include "program/stay_down.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 
 #include <algorithm>
@@ -29,11 +29,12 @@ requireSteadyBeam(const PassJob& job, const MachineProgram& program)
   const auto slowest = std::min_element(program.blocks.begin(), program.blocks.end(), [&](const ProgramBlock& a, const ProgramBlock& b) {
     return std::abs(a.arc_length - report.least_feed_at) < std::abs(b.arc_length - report.least_feed_at);
   });
-  throw FileError(job.part, textOf("at ", placeText(slowest->tip), " the rotary axes turn so far that the beam moves at only ",
-                                   100.0 * report.least_feed_share,
-                                   " % of the feed while it is on, and would burn the part: tilt the beam "
-                                   "(--tilt 20), or turn the part on the machine, so that the tool axis stays away from the direction of ",
-                                   std::string(1, program.machine.rotary[0].letter)));
+  throw FileError(job.part,
+                  Diagnostic("at ", Place(slowest->tip), " the rotary axes turn so far that the beam moves at only ",
+                             100.0 * report.least_feed_share,
+                             " % of the feed while it is on, and would burn the part: tilt the beam "
+                             "(--tilt 20), or turn the part on the machine, so that the tool axis stays away from the direction of ",
+                             std::string(1, program.machine.rotary[0].letter)));
 }
 
 LedTool
@@ -56,7 +57,7 @@ requireFree(const PassJob& job, const MachineProgram& program, PassResult& resul
 void
 addProgram(const PassJob& job, const Machine& machine, PassResult& result)
 {
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   const auto make = [&](const std::vector<std::size_t>& retracted) {
     warnings.clear();
     return makeProgram(job.program, machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, retracted, warnings);
@@ -64,7 +65,7 @@ addProgram(const PassJob& job, const Machine& machine, PassResult& result)
   result.program = linkedProgram(job.program, make, job.part, result.whole_scan, ledTool(job, result));
   result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   if (job.cutter.radius > 0.0)
-    for (const std::string& warning : spindleWarnings(job.program, machine, job.outputs))
+    for (const Diagnostic& warning : spindleWarnings(job.program, machine, job.outputs))
       result.warnings.push_back(warning);
   else
     requireSteadyBeam(job, *result.program);

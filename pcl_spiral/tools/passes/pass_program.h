@@ -4,11 +4,10 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "pass_job.h"
 #include "pass_result.h"
-
-#include <string>
-#include <vector>
 
 /** Makes the program of the passes on \p machine; the leads of a cutter do not touch the scan in \p result.
  *  \throw pcl_spiral::FileError, Cancelled */
@@ -23,7 +22,7 @@ inline void
 judge(const PassJob&, PassResult&)
 {}
 
-inline const std::vector<std::string>&
+inline const pcl_spiral::Diagnostics&
 warningsOf(const PassResult& result)
 {
   return result.warnings;

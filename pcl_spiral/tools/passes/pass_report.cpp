@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_report.h"
 
+#include "io/report/diagnostic_json.h"
+
 #include "terminal/scan_places.h"
+#include "terminal/vocabulary.h"
 
 #include <pcl_spiral/io/file_error.h>
 
@@ -63,7 +66,8 @@ addPasses(const PassResult& result, Json& report)
   report["tip_length"] = result.length;
   report["locations"] = locationsOf(result);
   report["stages"] = stages;
-  report["warnings"] = inScan(result.warnings);
+  report["warnings"] = textsOf(result.warnings, programWords());
+  report["diagnostics"] = diagnosticsJson(result.warnings, programWords(), scanShift());
   report["shift"] = {scanShift().x(), scanShift().y(), scanShift().z()};
   if (result.program)
     report["machine"] = {{"name", result.program->machine.name},

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "terminal/part_choice.h"
 #include "terminal/scan_side.h"
 
@@ -15,7 +17,6 @@
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 /** Locations left out because of what is not to be cut. Depths in mm. */
@@ -44,7 +45,7 @@ struct PassResult {
   std::size_t off_scan = 0;                  ///< locations left out: no part of the surface below the cutter, and those of left_out
   double length = 0.0;                       ///< of the tip's path along all passes, mm
   std::vector<pcl_spiral::StageCost> stages;
-  std::vector<std::string> warnings;
+  pcl_spiral::Diagnostics warnings;
   std::optional<pcl_spiral::MachineProgram> program; ///< if a machine is given
   std::vector<pcl_spiral::ToolMoves> moves;          ///< with leads, if an output is CLDATA or has robot frames
 

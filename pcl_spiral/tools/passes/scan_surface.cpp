@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_surface.h"
 #include "terminal/scan_places.h"
-#include "terminal/setter_names.h"
 
 #include "cleaning/standing_clusters.h"
 #include <pcl_spiral/cleaning/stray_removal.h>
 #include <pcl_spiral/collision/impl/false_echoes.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
@@ -44,11 +43,11 @@ leaveOutStrays(const PassJob& job, PassResult& result)
   require(job.scan, removal.getStatus());
   const StrayFigures& f = removal.getFigures();
   if (f.strays > 0)
-    result.warnings.push_back(textOf(f.strays, " of ", result.scan.cloud->size(),
-                                     " points off the scanned surface were left out (--leave-out-strays); the largest "
-                                     "group has ",
-                                     f.largest_group, ", at ", placeText(f.largest_group_place),
-                                     f.largest_group > largest_echo ? ": such a group is not a false echo; check what is there" : ""));
+    result.warnings.push_back(Diagnostic(f.strays, " of ", result.scan.cloud->size(),
+                                         " points off the scanned surface were left out (--leave-out-strays); the largest "
+                                         "group has ",
+                                         f.largest_group, ", at ", Place(f.largest_group_place),
+                                         f.largest_group > largest_echo ? ": such a group is not a false echo; check what is there" : ""));
   keepOnly(indices, result);
 }
 
@@ -83,9 +82,9 @@ require(const std::string& file, const Status& status)
   if (status.code() == StatusCode::Cancelled || cancelled())
     throw Cancelled();
   if (status.code() == StatusCode::InvalidArgument)
-    throw UsageError(file + ": " + inOptions(status.message()));
+    throw UsageError(Diagnostic(file, ": ", status.diagnostic()));
   if (!status.ok())
-    throw FileError(file, inOptions(status.message()));
+    throw FileError(file, status.diagnostic());
 }
 
 Surface::ConstPtr
@@ -94,7 +93,6 @@ readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& c
   bar.update(0.0, "reading " + job.scan);
   result.scan = readCloud(job.scan, job.read);
   setScanFrame(result.scan.shift, job.read);
-  result.scan.warnings = inOptions(result.scan.warnings);
   result.whole_scan = result.scan.cloud;
   clock.end("reading");
   if (cancelled())
@@ -124,8 +122,8 @@ heedClusters(const PassJob& job, ProgressBar& bar, const Surface::ConstPtr& surf
     require(job.scan, refusalOf(surface->clusters(), surface->spacing()));
   const bool rides = job.choice.clusters == ClusterHandling::Ride;
   result.warnings.push_back(
-      clustersText(surface->clusters(), surface->spacing()) +
-      (rides ? "; the cutter rides over what is there" : "; they were left out, and the cutter goes through what is there"));
+      Diagnostic(clustersText(surface->clusters(), surface->spacing()),
+                 (rides ? "; the cutter rides over what is there" : "; they were left out, and the cutter goes through what is there")));
   if (rides) {
     require(job.scan, checkRideHeight(surface->clusters(), job.cutter.corner_radius));
     return surface; // locations stay clear of every point of the scan

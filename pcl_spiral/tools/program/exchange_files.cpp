@@ -3,7 +3,7 @@
 #include "terminal/file_names.h"
 #include "terminal/scan_places.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "free_leads.h"
 #include "terminal/terminal.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/verify/lead_check.h>
 
@@ -35,22 +35,22 @@ wayOf(BlockSection section)
   }
 }
 
-std::string
+Diagnostic
 textOfCollision(const LedTool& tool, const LeadFigures& figures)
 {
-  return textOf(collisionText(tool, figures.deepest), "; ", figures.collided, " of the ", figures.moves, " moves off the path collide");
+  return Diagnostic(collisionText(tool, figures.deepest), "; ", figures.collided, " of the ", figures.moves, " moves off the path collide");
 }
 
 } // namespace
 
-std::string
+Diagnostic
 collisionText(const LedTool& tool, const LeadCollision& collision)
 {
   const std::string what = collision.part == ToolPart::Cutter  ? "the cutter"
                            : collision.part == ToolPart::Shank ? "a shank as wide as the cutter"
                                                                : tool.holder[static_cast<std::size_t>(collision.segment)].name;
-  return textOf(what, " would be ", collision.depth, " mm deep in the part ", wayOf(collision.section), ", at ", placeText(collision.place),
-                ", the tip at ", placeText(collision.tip));
+  return Diagnostic(what, " would be ", collision.depth, " mm deep in the part ", wayOf(collision.section), ", at ", Place(collision.place),
+                    ", the tip at ", Place(collision.tip));
 }
 
 LeadCheck<pcl::PointXYZ>
@@ -69,7 +69,7 @@ leadCheckOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool&
 
 void
 requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool,
-                 const MachineProgram& program, bool accepted, bool quiet, std::vector<std::string>& warnings)
+                 const MachineProgram& program, bool accepted, bool quiet, Diagnostics& warnings)
 {
   ProgressBar bar(quiet);
   LeadCheck<pcl::PointXYZ> check = leadCheckOf(scan, tool);
@@ -79,7 +79,7 @@ requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointX
   if (check.getStatus().code() == StatusCode::Cancelled || cancelled())
     throw Cancelled();
   if (!check.getStatus().ok())
-    throw FileError(scan_name, check.getStatus().message());
+    throw FileError(scan_name, check.getStatus().diagnostic());
   const LeadFigures &all = check.getFigures(), &obstacles = check.getObstacleFigures();
   if (all.collided == 0)
     return;
@@ -88,7 +88,7 @@ requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointX
   else if (accepted)
     warnings.push_back(textOfCollision(tool, obstacles));
   else
-    throw FileError(scan_name, textOfCollision(tool, obstacles) +
-                                   ": lean the tool axis another way, take another --lead-in or --lead-length, a "
-                                   "slimmer or longer tool, or --accept-collisions to write the output anyway");
+    throw FileError(scan_name, Diagnostic(textOfCollision(tool, obstacles),
+                                          ": lean the tool axis another way, take another --lead-in or --lead-length, a "
+                                          "slimmer or longer tool, or --accept-collisions to write the output anyway"));
 }

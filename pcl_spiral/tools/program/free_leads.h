@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "program_job.h"
 
 #include <pcl_spiral/core/cutter_profile.h>
@@ -29,7 +31,7 @@ struct LedTool {
 pcl_spiral::LeadCheck<pcl::PointXYZ> leadCheckOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool);
 
 /** What \p tool would do at the place of \p collision: which part of it, how deep, where. */
-std::string collisionText(const LedTool& tool, const pcl_spiral::LeadCollision& collision);
+pcl_spiral::Diagnostic collisionText(const LedTool& tool, const pcl_spiral::LeadCollision& collision);
 
 /** The end of a warning about collisions with echoes alone. */
 constexpr const char* only_echoes =
@@ -38,4 +40,4 @@ constexpr const char* only_echoes =
 /** Looks at the moves of \p program that do not cut. Where only single points off the scan's surface are in their way, or
  *  collisions are accepted, that goes to \p warnings. \p scan_name is for messages. \throw pcl_spiral::FileError, Cancelled */
 void requireFreeLeads(const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool,
-                      const pcl_spiral::MachineProgram& program, bool accepted, bool quiet, std::vector<std::string>& warnings);
+                      const pcl_spiral::MachineProgram& program, bool accepted, bool quiet, pcl_spiral::Diagnostics& warnings);

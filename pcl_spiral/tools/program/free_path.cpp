@@ -2,7 +2,7 @@
 #include "free_path.h"
 #include "terminal/terminal.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/verify/holder_check.h>
@@ -24,25 +24,25 @@ zoneOf(const MachineProgram& program, const LeadCollision& deepest)
 }
 
 /** Where the collision is due to what the machine makes of the path: what to do about that. */
-std::string
+Diagnostic
 remedyFor(const std::vector<ToolPoses>&, const LeadCollision&)
 {
   return "";
 }
 
-std::string
+Diagnostic
 remedyFor(const MachineProgram& program, const LeadCollision& deepest)
 {
   const PoleZone* const zone = zoneOf(program, deepest);
   if (!zone)
     return "";
-  return textOf("the tool axis is blended there by up to ", zone->largest_change * in_degrees,
-                " degrees, because the rotary axis would turn too fast: keep the axis of the path (--pole-cone 0), ");
+  return Diagnostic("the tool axis is blended there by up to ", zone->largest_change * in_degrees,
+                    " degrees, because the rotary axis would turn too fast: keep the axis of the path (--pole-cone 0), ");
 }
 
 template <typename Way>
 void
-requireFree(const PathCheck& asked, const Way& way, std::vector<std::string>& warnings)
+requireFree(const PathCheck& asked, const Way& way, Diagnostics& warnings)
 {
   ProgressBar bar(asked.quiet);
   HolderCheck<pcl::PointXYZ> check;
@@ -62,9 +62,9 @@ requireFree(const PathCheck& asked, const Way& way, std::vector<std::string>& wa
   if (check.getStatus().code() == StatusCode::Cancelled || cancelled())
     throw Cancelled();
   if (!check.getStatus().ok())
-    throw FileError(asked.file, check.getStatus().message());
+    throw FileError(asked.file, check.getStatus().diagnostic());
   const LeadFigures &all = check.getFigures(), &obstacles = check.getObstacleFigures();
-  const auto counted = [](const LeadFigures& f) { return textOf("; ", f.collided, " of the ", f.moves, " cutting moves collide"); };
+  const auto counted = [](const LeadFigures& f) { return Diagnostic("; ", f.collided, " of the ", f.moves, " cutting moves collide"); };
   if (all.collided == 0)
     return;
   if (obstacles.collided == 0)
@@ -72,21 +72,21 @@ requireFree(const PathCheck& asked, const Way& way, std::vector<std::string>& wa
   else if (asked.accepted)
     warnings.push_back(collisionText(asked.tool, obstacles.deepest) + counted(obstacles));
   else
-    throw FileError(asked.file, collisionText(asked.tool, obstacles.deepest) + counted(obstacles) + ": " +
-                                    remedyFor(way, obstacles.deepest) + asked.remedy +
-                                    ", or --accept-collisions to write the output anyway");
+    throw FileError(asked.file,
+                    Diagnostic(collisionText(asked.tool, obstacles.deepest), counted(obstacles), ": ", remedyFor(way, obstacles.deepest),
+                               asked.remedy, ", or --accept-collisions to write the output anyway"));
 }
 
 } // namespace
 
 void
-requireFreePath(const PathCheck& check, const std::vector<ToolPoses>& passes, std::vector<std::string>& warnings)
+requireFreePath(const PathCheck& check, const std::vector<ToolPoses>& passes, Diagnostics& warnings)
 {
   requireFree(check, passes, warnings);
 }
 
 void
-requireFreePath(const PathCheck& check, const MachineProgram& program, std::vector<std::string>& warnings)
+requireFreePath(const PathCheck& check, const MachineProgram& program, Diagnostics& warnings)
 {
   requireFree(check, program, warnings);
 }

@@ -5,7 +5,7 @@
 #include "terminal/terminal.h"
 
 #include "io/post/post_check.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
@@ -22,33 +22,34 @@ namespace {
 constexpr double least_named = 0.001; // degrees that an axis is blended by: at the pole an upright tool keeps it
 
 /** Adds the warnings about the program. */
-std::vector<std::string>
+Diagnostics
 warningsOf(const MachineProgram& program)
 {
   const ProgramReport& report = program.report;
   const char first = program.machine.rotary[0].letter;
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   if (!report.poles.empty()) {
     const auto less = [](const PoleZone& a, const PoleZone& b) { return a.largest_change < b.largest_change; };
     const PoleZone& most = *std::max_element(report.poles.begin(), report.poles.end(), less);
-    const std::string where = report.poles.size() == 1 ? std::string("from ") : textOf("in ", report.poles.size(), " places, most from ");
+    const Diagnostic where = report.poles.size() == 1 ? Diagnostic("from ") : Diagnostic("in ", report.poles.size(), " places, most from ");
     const double degrees = most.largest_change * in_degrees;
-    warnings.push_back(textOf("near the pole, ", first, " would turn faster than its limit: the tool axis was blended ", where, most.begin,
-                              " to ", most.end, " mm of the path, ",
-                              degrees < least_named ? textOf("by less than ", least_named) : textOf("by up to ", degrees), " degrees"));
+    warnings.push_back(Diagnostic("near the pole, ", first, " would turn faster than its limit: the tool axis was blended ", where,
+                                  most.begin, " to ", most.end, " mm of the path, ",
+                                  degrees < least_named ? Diagnostic("by less than ", least_named) : Diagnostic("by up to ", degrees),
+                                  " degrees"));
   }
   if (const std::size_t by_axis = report.slowed_blocks - report.tool_slowed_blocks; by_axis > 0)
-    warnings.push_back(textOf(by_axis, " of ", report.cut_blocks, by_axis == 1 ? " blocks runs below" : " blocks run below",
-                              " the feed because of the rate limit of an axis, the slowest at ", 100.0 * report.least_feed_share,
-                              " % of it, at ", report.least_feed_at, " mm of the path"));
+    warnings.push_back(Diagnostic(by_axis, " of ", report.cut_blocks, by_axis == 1 ? " blocks runs below" : " blocks run below",
+                                  " the feed because of the rate limit of an axis, the slowest at ", 100.0 * report.least_feed_share,
+                                  " % of it, at ", report.least_feed_at, " mm of the path"));
   if (report.tool_slowed_blocks > 0)
-    warnings.push_back(textOf(report.tool_slowed_blocks, " of ", report.cut_blocks,
-                              report.tool_slowed_blocks == 1 ? " blocks runs below" : " blocks run below",
-                              " the feed because the tool moves more than twice as far as its contact; it keeps to twice "
-                              "the feed"));
+    warnings.push_back(Diagnostic(report.tool_slowed_blocks, " of ", report.cut_blocks,
+                                  report.tool_slowed_blocks == 1 ? " blocks runs below" : " blocks run below",
+                                  " the feed because the tool moves more than twice as far as its contact; it keeps to twice "
+                                  "the feed"));
   if (!report.unwound_at.empty())
-    warnings.push_back(textOf("the tool leaves the surface ", report.unwound_at.size(), " times so that ", first,
-                              " can unwind at its limit, first at ", report.unwound_at.front(), " mm of the path"));
+    warnings.push_back(Diagnostic("the tool leaves the surface ", report.unwound_at.size(), " times so that ", first,
+                                  " can unwind at its limit, first at ", report.unwound_at.front(), " mm of the path"));
   return warnings;
 }
 
@@ -63,14 +64,14 @@ machineOf(const ProgramJob& program, const std::vector<std::string>& outputs)
   const Machine machine = file.empty() ? xyzacTrunnion() : readMachine(file);
   for (const std::string& output : outputs)
     if (isProgram(output))
-      if (const std::string fault = faultOfSettings(languageOf(program, output), machine, program.header); !fault.empty())
-        throw FileError(output, fault + (file.empty() ? " (no --machine is given)" : " (machine file " + file + ")"));
+      if (const Diagnostic fault = faultOfSettings(languageOf(program, output), machine, program.header); !fault.empty())
+        throw FileError(output, Diagnostic(fault, (file.empty() ? " (no --machine is given)" : " (machine file " + file + ")")));
   return machine;
 }
 
 MachineProgram
 makeProgram(const ProgramJob& job, const Machine& machine, double feed, double ball_radius, const std::vector<ToolPoses>& passes,
-            const std::vector<std::size_t>& retracted, std::vector<std::string>& warnings)
+            const std::vector<std::size_t>& retracted, Diagnostics& warnings)
 {
   MachineProgramGenerator generator;
   generator.setMachine(machine);
@@ -83,32 +84,33 @@ makeProgram(const ProgramJob& job, const Machine& machine, double feed, double b
   MachineProgram program;
   generator.compute(program);
   if (!generator.getStatus().ok())
-    throw FileError(job.machine_file.empty() ? machine.name : job.machine_file, generator.getStatus().message());
+    throw FileError(job.machine_file.empty() ? machine.name : job.machine_file, generator.getStatus().diagnostic());
   if (job.machine_file.empty())
     warnings.push_back("no --machine is given: the program is for LinuxCNC's xyzac-trt-kins with all offsets zero and both "
                        "rotary axes at up to 30 rev/min; no limits are checked");
   if (!machine.retract_z)
-    warnings.push_back(machine.name +
-                       ": no retract_z is given (a machine Z that is clear of everything): the program turns the rotary axes "
-                       "and goes to its first point from the tool's present position; start it above the part");
-  for (const std::string& warning : warningsOf(program))
+    warnings.push_back(Diagnostic(machine.name,
+                                  ": no retract_z is given (a machine Z that is clear of everything): the program turns the rotary axes "
+                                  "and goes to its first point from the tool's present position; start it above the part"));
+  for (const Diagnostic& warning : warningsOf(program))
     warnings.push_back(warning);
   return program;
 }
 
-std::vector<std::string>
+Diagnostics
 spindleWarnings(const ProgramJob& job, const Machine& machine, const std::vector<std::string>& outputs)
 {
   const std::regex starts("\\{spindle\\}|(^|[^A-Za-z])M0?[34]($|[^0-9])");
   const auto& header = machine.lines.header;
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   if (job.header.spindle_speed > 0.0 ||
       std::any_of(header.begin(), header.end(), [&starts](const std::string& line) { return std::regex_search(line, starts); }))
     return warnings;
   for (const std::string& output : outputs)
     if (isProgram(output))
-      warnings.push_back(output + ": the spindle stands still: no --spindle is given, and no line of the machine file starts it; give "
-                                  "--spindle 12000, or start it in program: {header: [...]} of the machine file");
+      warnings.push_back(Diagnostic(output,
+                                    ": the spindle stands still: no --spindle is given, and no line of the machine file starts it; give "
+                                    "--spindle 12000, or start it in program: {{header: [...]}} of the machine file"));
   return warnings;
 }
 

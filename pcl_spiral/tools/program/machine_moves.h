@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "program_job.h"
 
 #include <optional>
@@ -17,7 +19,7 @@ std::optional<pcl_spiral::Machine> machineOf(const ProgramJob& program, const st
  *  cutters. \p retracted: the passes to which no link goes. \throw pcl_spiral::FileError if the machine cannot make the moves */
 pcl_spiral::MachineProgram makeProgram(const ProgramJob& job, const pcl_spiral::Machine& machine, double feed, double ball_radius,
                                        const std::vector<pcl_spiral::ToolPoses>& passes, const std::vector<std::size_t>& retracted,
-                                       std::vector<std::string>& warnings);
+                                       pcl_spiral::Diagnostics& warnings);
 
 /** What a program says of its path: comments, and the chord error to which the control may round corners, mm. */
 struct ProgramTexts {
@@ -27,8 +29,7 @@ struct ProgramTexts {
 };
 
 /** A warning for each output that is a program and leaves the spindle still: no --spindle, and no line of the machine file starts it. */
-std::vector<std::string> spindleWarnings(const ProgramJob& job, const pcl_spiral::Machine& machine,
-                                         const std::vector<std::string>& outputs);
+pcl_spiral::Diagnostics spindleWarnings(const ProgramJob& job, const pcl_spiral::Machine& machine, const std::vector<std::string>& outputs);
 
 /** Writes \p program for \p output as the file \p file: a .ngc in the language of LinuxCNC, others in that of the job. \throw
  *  pcl_spiral::FileError */

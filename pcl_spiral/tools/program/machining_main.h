@@ -4,11 +4,13 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "machine_moves.h"
 #include "program_check.h"
 #include "report/picture_files.h"
 #include "terminal/program_main.h"
-#include "terminal/scan_places.h"
+#include "terminal/vocabulary.h"
 
 #include "io/output_files.h"
 
@@ -39,8 +41,8 @@ runMachining(const std::string& name, const Job& job)
     addMoves(job, result);
   judge(job, result);
   if (!job.quiet)
-    for (const std::string& warning : warningsOf(result))
-      std::cerr << name << ": warning: " << inScan(warning) << '\n';
+    for (const pcl_spiral::Diagnostic& warning : warningsOf(result))
+      std::cerr << name << ": warning: " << inWords(warning) << '\n';
   writeOutputs(job, result, files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (!job.quiet)

@@ -5,7 +5,7 @@
 
 #include "common/readable_text.h"
 #include "io/setting_names.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 
@@ -24,13 +24,14 @@ checkCodes(const ProgramHeader& header, bool any_program, const std::set<std::st
     if (given.count(name) == 0)
       continue;
     const std::string option = std::string("--") + name + " " + readableText(code) + ": ";
-    if (const std::string fault = faultOfCode(code); !fault.empty())
-      throw UsageError(option + "the code " + fault);
+    if (const Diagnostic fault = faultOfCode(code); !fault.empty())
+      throw UsageError(Diagnostic(option, "the code ", fault));
     if (!any_program)
-      throw UsageError(option + "no output is a program; add an output .ngc, .nc, .mpf or .h, or leave it out");
+      throw UsageError(Diagnostic(option, "no output is a program; add an output .ngc, .nc, .mpf or .h, or leave it out"));
     if (given.count("pass-begin") != given.count("pass-end"))
-      throw UsageError(option + "is given without the other, and a beam that is never switched off burns the part; give both, such as "
-                                "--pass-begin \"M62 P0\" --pass-end \"M63 P0\"");
+      throw UsageError(Diagnostic(option,
+                                  "is given without the other, and a beam that is never switched off burns the part; give both, such as "
+                                  "--pass-begin \"M62 P0\" --pass-end \"M63 P0\""));
   }
 }
 
@@ -41,8 +42,8 @@ checkOffset(const ProgramJob& program, const std::vector<std::string>& outputs)
   const std::string& offset = program.header.work_offset;
   for (const std::string& output : outputs)
     if (isProgram(output) && !offset.empty())
-      if (const std::string fault = faultOfOffset(languageOf(program, output), offset); !fault.empty())
-        throw UsageError("-o " + output + ": --work-offset " + readableText(offset) + " " + fault);
+      if (const Diagnostic fault = faultOfOffset(languageOf(program, output), offset); !fault.empty())
+        throw UsageError(Diagnostic("-o ", output, ": --work-offset ", readableText(offset), " ", fault));
 }
 
 /** What only some outputs hold must not be asked for without one of them. */
@@ -54,11 +55,11 @@ checkWords(const std::vector<std::string>& outputs, const std::set<std::string>&
                                       [](const std::string& output) { return isExchange(output) && extensionOf(output) != ".yaml"; });
   for (const char* option : {"feed-mode", "work-offset", "smoothing", "line-numbers", "decimals"})
     if (!any_program && given.count(option) > 0)
-      throw UsageError(std::string("--") + option + ": no output is a program; add an output such as -o part.ngc, or leave it out");
+      throw UsageError(Diagnostic("--", option, ": no output is a program; add an output such as -o part.ngc, or leave it out"));
   for (const char* option : {"coolant", "spindle", "spindle-direction", "tool"})
     if (!any_program && !any_cldata && given.count(option) > 0)
-      throw UsageError(std::string("--") + option +
-                       ": no output is a program or CLDATA; add an output such as -o part.ngc or -o part.apt, or leave it out");
+      throw UsageError(Diagnostic("--", option,
+                                  ": no output is a program or CLDATA; add an output such as -o part.ngc or -o part.apt, or leave it out"));
 }
 
 } // namespace
@@ -109,25 +110,26 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
       continue;
     const std::string extension = extensionOf(output);
     if (extension != ".ngc" && program.machine_file.empty())
-      throw UsageError("-o " + output +
-                       ": no --machine is given; give the machine file, such as --machine xyzac.yaml "
-                       "(there are examples in examples/machines, installed in share/pcl_spiral)");
+      throw UsageError(Diagnostic("-o ", output,
+                                  ": no --machine is given; give the machine file, such as --machine xyzac.yaml "
+                                  "(there are examples in examples/machines, installed in share/pcl_spiral)"));
     if (extension == ".nc" && given.count("dialect") == 0)
-      throw UsageError("-o " + output + ": no --dialect is given; it must be one of " + choiceList<Dialect>());
+      throw UsageError(Diagnostic("-o ", output, ": no --dialect is given; it must be one of ", choiceList<Dialect>()));
     if (extension != ".ngc" && program.header.tool == 0)
-      throw UsageError("-o " + output +
-                       ": no --tool is given; the control needs the tool number for the tool length: "
-                       "--tool 3");
+      throw UsageError(Diagnostic("-o ", output,
+                                  ": no --tool is given; the control needs the tool number for the tool length: "
+                                  "--tool 3"));
   }
   if (given.count("dialect") > 0 && std::none_of(outputs.begin(), outputs.end(), [&program](const std::string& output) {
         return isProgram(output) && languageOf(program, output) == program.dialect;
       }))
-    throw UsageError(
-        "--dialect " + choiceName(program.dialect) +
-        ": no output is in that language; write a .nc (a .ngc is always for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain)");
+    throw UsageError(Diagnostic(
+        "--dialect ", choiceName(program.dialect),
+        ": no output is in that language; write a .nc (a .ngc is always for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain)"));
   if (given.count("robot-z") > 0 &&
       std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".yaml"; }))
-    throw UsageError("--robot-z " + choiceName(program.robot_z) + ": no output has robot frames; add an output .yaml, or leave it out");
+    throw UsageError(
+        Diagnostic("--robot-z ", choiceName(program.robot_z), ": no output has robot frames; add an output .yaml, or leave it out"));
   requireOption(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
   requireOption(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
   requireOption(s.stay_down >= 0.0, "stay-down", s.stay_down, "must be above 0 mm, or 0 for retracts");

@@ -19,6 +19,6 @@ linkedProgram(const ProgramJob& job, const std::function<MachineProgram(const st
   if (status.code() == StatusCode::Cancelled || cancelled())
     throw Cancelled();
   if (!status.ok())
-    throw FileError(scan_name, status.message());
+    throw FileError(scan_name, status.diagnostic());
   return blocked.empty() ? program : make(blocked);
 }

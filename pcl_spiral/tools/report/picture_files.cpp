@@ -50,8 +50,9 @@ makeFolder()
   std::error_code error;
   std::string name = (fs::temp_directory_path(error) / "pcl_spiral-XXXXXX").string();
   if (error || !::mkdtemp(name.data()))
-    throw FileError(name, std::string("the temporary folder for pictures cannot be made: ") +
-                              (error ? error.message() : std::strerror(errno)) + "; set TMPDIR to a folder you may write to");
+    throw FileError(name,
+                    Diagnostic("the temporary folder for pictures cannot be made: ",
+                               (error ? error.message() : std::string(std::strerror(errno))), "; set TMPDIR to a folder you may write to"));
   return name;
 }
 
@@ -127,7 +128,7 @@ PictureFiles::copy(PictureKind kind, const std::string& file) const
   std::error_code error;
   fs::copy_file(picture->file, file, fs::copy_options::overwrite_existing, error);
   if (error)
-    throw FileError(file, "cannot be written: " + error.message());
+    throw FileError(file, Diagnostic("cannot be written: ", error.message()));
 }
 
 std::vector<ReportPicture>
@@ -149,5 +150,6 @@ requireDisplay(const std::string& output)
   const std::string problem = displayProblem();
   if (problem.empty())
     return;
-  throw FileError(output, extension == ".png" ? problem : "this report needs pictures: " + problem + "; .json has the same figures");
+  throw FileError(output, extension == ".png" ? Diagnostic(problem)
+                                              : Diagnostic("this report needs pictures: ", problem, "; .json has the same figures"));
 }

@@ -6,7 +6,7 @@
 #include "program/program_options.h"
 #include "terminal/command_line.h"
 #include "terminal/read_options.h"
-#include "terminal/setter_names.h"
+#include "terminal/vocabulary.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "program/program_check.h"
 #include "terminal/option_values.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -17,11 +17,11 @@ namespace {
 
 /** \throw UsageError with \p remedy if one of \p options is given */
 void
-refuse(const Job& job, std::initializer_list<const char*> options, const std::string& remedy)
+refuse(const Job& job, std::initializer_list<const char*> options, const Diagnostic& remedy)
 {
   for (const char* option : options)
     if (isGiven(job, option))
-      throw UsageError(std::string("--") + option + ": " + remedy);
+      throw UsageError(Diagnostic("--", option, ": ", remedy));
 }
 
 /** Checks that both lines are given, or a scan with rough points. */
@@ -33,8 +33,8 @@ checkLines(const Job& job)
     if (job.scan.empty())
       throw UsageError("--through: no --scan is given; give the scan that holds the ridge");
     if (!job.rail.empty() || !job.generator.empty())
-      throw UsageError("--through: rail and generator are also given as files (" + (job.rail.empty() ? job.generator : job.rail) +
-                       "); leave out --through or the files");
+      throw UsageError(Diagnostic("--through: rail and generator are also given as files (", (job.rail.empty() ? job.generator : job.rail),
+                                  "); leave out --through or the files"));
     requireOption(job.half_width > 0.0, "half-width", job.half_width,
                   "must be above 0 mm; give the width of the ridge from its crest to each side");
     refuse(job, {"measuring-error"}, "the lines are found in the scan, and so is the noise; leave it out");
@@ -42,16 +42,16 @@ checkLines(const Job& job)
   }
   refuse(job, {"half-width", "ring"}, "belongs to --through, a ridge in a scan; leave it out");
   if (job.rail.empty() || job.generator.empty())
-    throw UsageError(job.rail.empty()
-                         ? "no rail is given; give two files, points along the ridge and points across it: rail.pcd generator.pcd (or "
-                           "--scan with --through)"
-                         : "no generator is given; give a second file, points measured once across the ridge: " + job.rail +
-                               " generator.pcd");
+    throw UsageError(
+        job.rail.empty()
+            ? Diagnostic("no rail is given; give two files, points along the ridge and points across it: rail.pcd generator.pcd (or "
+                         "--scan with --through)")
+            : Diagnostic("no generator is given; give a second file, points measured once across the ridge: ", job.rail, " generator.pcd"));
   std::error_code error;
   if (std::filesystem::equivalent(job.rail, job.generator, error))
-    throw UsageError(job.generator +
-                     ": rail and generator are the same file; give the file of points along the ridge first, then the file of points "
-                     "across it");
+    throw UsageError(Diagnostic(
+        job.generator, ": rail and generator are the same file; give the file of points along the ridge first, then the file of points "
+                       "across it"));
 }
 
 /** Exactly one option sets the distance between rows. */
@@ -61,8 +61,8 @@ checkRows(Job& job)
   RidgeRowSettings& s = job.rows;
   const int given = isGiven(job, "spot") + isGiven(job, "step-over") + isGiven(job, "scallop");
   if (given != 1)
-    throw UsageError(std::string(given == 0 ? "no option sets" : "more than one option sets") +
-                     " the distance between rows; give one of --spot, --step-over and --scallop");
+    throw UsageError(Diagnostic(given == 0 ? "no option sets" : "more than one option sets",
+                                " the distance between rows; give one of --spot, --step-over and --scallop"));
   if (isGiven(job, "spot"))
     requireOption(s.spot_size > 0.0, "spot", s.spot_size, "must be above 0 mm");
   if (isGiven(job, "step-over"))
@@ -90,12 +90,14 @@ checkBeam(Job& job)
   if (isGiven(job, "tool-radius"))
     requireOption(job.cutter.radius > 0.0, "tool-radius", job.cutter.radius, "must be above 0 mm; for a beam leave it out");
   if (!job.scan.empty() && job.through.empty())
-    throw UsageError("--scan " + job.scan +
-                     ": a beam uses only rail and generator; leave --scan out, give a cutter (--tool-radius), or give --through instead of "
-                     "both files");
+    throw UsageError(
+        Diagnostic("--scan ", job.scan,
+                   ": a beam uses only rail and generator; leave --scan out, give a cutter (--tool-radius), or give --through instead of "
+                   "both files"));
   for (const std::string& output : job.outputs)
     if (isExchange(output) && extensionOf(output) != ".yaml")
-      throw UsageError("-o " + output + ": this format needs a cutter, and the tool is a beam; use .6d, .5d, .csv, .yaml or a program");
+      throw UsageError(
+          Diagnostic("-o ", output, ": this format needs a cutter, and the tool is a beam; use .6d, .5d, .csv, .yaml or a program"));
 }
 
 void
@@ -113,7 +115,7 @@ checkCutter(Job& job)
   if (!isBall(job))
     throw UsageError("--scallop: ridge heights are known only for a ball; for this cutter give a --step-over");
   requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
-                "must be above 0 and below the tool radius, which is " + textOf(job.cutter.radius) + " mm");
+                "must be above 0 and below the tool radius, which is " + Diagnostic(job.cutter.radius) + " mm");
   job.rows.tool_radius = job.cutter.radius;
   job.rows.scallop_height = job.scallop;
 }

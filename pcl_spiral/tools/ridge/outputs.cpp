@@ -7,7 +7,7 @@
 #include "ridge_report.h"
 #include "terminal/file_names.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/visualization/pass_picture.h>
 #include <pcl_spiral/visualization/ridge_picture.h>
 
@@ -60,7 +60,7 @@ printRidge(const Job& job, const Result& result)
     std::printf("scan            %s: %zu points; off the ridge by %.3g mm rms, %.3g at most at (%.1f, %.1f, %.1f); its noise is %.3g mm\n",
                 job.scan.c_str(), result.scan.cloud->size(), result.found->misfit, result.found->largest_misfit, worst.x(), worst.y(),
                 worst.z(), result.found->noise);
-  const auto known = [&](double error) { return result.found ? std::string() : textOf(", measured to ", error, " mm"); };
+  const auto known = [&](double error) { return result.found ? std::string() : Diagnostic(", measured to ", error, " mm").text(); };
   std::printf("rail            %zu points, %.1f mm%s%s; slope up to %.1f degrees\n", r.rail_points, r.rail_length, r.closed ? " round" : "",
               known(r.rail_error).c_str(), r.largest_slope);
   std::printf("generator       %zu points, %.2f mm%s; meets the rail at (%.1f, %.1f, %.1f), %.3g mm off\n", r.generator_points,

@@ -8,11 +8,10 @@
 #include "passes/scan_surface.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
-#include "terminal/setter_names.h"
 
 #include "drive/pass_axes.h"
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/ridge/ridge_lines.h>
@@ -32,9 +31,11 @@ readLine(const Job& job, const std::string& file, Result& result)
   const Scan read = readCloud(file, first ? job.read : readAsScan(job.read));
   if (first)
     setScanFrame(read.shift, job.read);
-  for (const std::string& warning : read.warnings)
-    if (file == job.rail || warning.find(" across; ") == std::string::npos) // a generator is usually small
+  for (const Diagnostic& warning : read.warnings) {
+    const std::vector<std::string> settings = warning.settings();
+    if (file == job.rail || std::count(settings.begin(), settings.end(), "ReadOptions::unit") == 0) // a generator is usually small
       result.warnings.push_back(warning);
+  }
   Polyline points;
   for (const pcl::PointXYZ& p : *read.cloud)
     points.push_back(p.getVector3fMap().cast<double>());
@@ -47,7 +48,7 @@ readLines(const Job& job, Result& result)
   result.rail = readLine(job, job.rail, result);
   result.generator = readLine(job, job.generator, result);
   require(job.rail + ", " + job.generator, RidgeSurface::make(result.rail, result.generator, job.ridge, result.ridge));
-  const std::vector<std::string>& warnings = result.ridge->report().warnings;
+  const Diagnostics& warnings = result.ridge->report().warnings;
   result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
 }
 
@@ -107,10 +108,10 @@ takeBeam(const Job& job, const DrivePasses& rows, Result& result)
   const double lean = std::hypot(job.rows.lead, job.rows.tilt);
   if (lean > 0.0 && job.rows.stand_off != 0.0)
     result.warnings.push_back(
-        textOf("the beam is tilted by about ", lean, " degrees at a stand-off of ", job.rows.stand_off, " mm: it meets the surface about ",
-               std::abs(job.rows.stand_off) * std::tan(lean * pi / 180.0),
-               " mm beside the row, at the contacts in the files; to have the tip at the spot, leave --stand-off out and add the "
-               "stand-off to the tool length"));
+        Diagnostic("the beam is tilted by about ", lean, " degrees at a stand-off of ", job.rows.stand_off,
+                   " mm: it meets the surface about ", std::abs(job.rows.stand_off) * std::tan(lean * pi / 180.0),
+                   " mm beside the row, at the contacts in the files; to have the tip at the spot, leave --stand-off out and add the "
+                   "stand-off to the tool length"));
   if (hasLeads(job.program, job.outputs))
     result.warnings.push_back("the motion of the beam's head is not checked because its shape is not known; check that it is free");
 }
@@ -124,8 +125,8 @@ makeMesh(const Job& job, Result& result)
   const double width = result.ridge->generator().length();
   const double chord_error = job.hasCutter() ? std::max(share_of_tolerance * job.tolerance, finest * width) : for_pictures * width;
   if (const Status status = ridgeMesh(*result.ridge, chord_error, result.mesh); !status.ok())
-    throw FileError(job.part, textOf("a ridge ", result.ridge->rail().length(), " mm long and ", width,
-                                     " mm wide needs too many triangles, more than a million: machine it in pieces"));
+    throw FileError(job.part, Diagnostic("a ridge ", result.ridge->rail().length(), " mm long and ", width,
+                                         " mm wide needs too many triangles, more than a million: machine it in pieces"));
 }
 
 void
@@ -175,6 +176,5 @@ plan(const Job& job)
   else
     takeBeam(job, rows, result);
   bar.clear();
-  result.warnings = inOptions(result.warnings);
   return result;
 }

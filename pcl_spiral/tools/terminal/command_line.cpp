@@ -58,10 +58,11 @@ splitArguments(const OptionTable& table, const std::vector<std::string>& files, 
   }
   catch (const po::unknown_option& error) {
     const std::string name = error.get_option_name();
-    throw UsageError(name + " is not an option" + suggestion(table, name.substr(std::min(name.find_first_not_of('-'), name.size()))));
+    throw UsageError(pcl_spiral::Diagnostic(name, " is not an option",
+                                            suggestion(table, name.substr(std::min(name.find_first_not_of('-'), name.size())))));
   }
   catch (const po::error& error) {
-    throw UsageError(error.what());
+    throw UsageError(pcl_spiral::Diagnostic(std::string(error.what())));
   }
 }
 
@@ -72,10 +73,10 @@ setValues(const OptionTable& table, const std::vector<std::string>& files, const
   for (const auto& [name, value] : values) {
     const bool again = !mayRepeat(table, name) && !seen.emplace(name, value).second;
     if (again && std::find(files.begin(), files.end(), name) != files.end())
-      throw UsageError(value + " is a second " + name + ", after " + seen[name] + "; give one " + name +
-                       ", and write -o before every output");
+      throw UsageError(pcl_spiral::Diagnostic(value, " is a second ", name, ", after ", seen[name], "; give one ", name,
+                                              ", and write -o before every output"));
     if (again)
-      throw UsageError("--" + name + " is given twice");
+      throw UsageError(pcl_spiral::Diagnostic("--", name, " is given twice"));
     findOption(table, name)->set(value);
   }
 }

@@ -17,6 +17,6 @@ completeCutter(bool corner_given, CutterShape& cutter)
     cutter.corner_radius = cutter.radius;
   else if (!corner_given)
     cutter.corner_radius = (cutter.radius - cutter.flank_length * std::sin(angle)) / std::cos(angle);
-  if (const std::string fault = faultOf(cutter); !fault.empty())
-    throw UsageError("the cutter of --tool-radius, --corner-radius, --flank-length and --flank-angle: " + fault);
+  if (const Diagnostic fault = faultOf(cutter); !fault.empty())
+    throw UsageError(Diagnostic("the cutter of --tool-radius, --corner-radius, --flank-length and --flank-angle: ", fault));
 }

@@ -31,7 +31,7 @@ requireNoInput(const std::string& output, const std::vector<InputName>& inputs)
   std::error_code error;
   for (const auto& [what, file] : inputs)
     if (!file.empty() && fs::equivalent(output, file, error))
-      throw UsageError("-o " + output + ": this is " + what + " itself, an input; give the output another name");
+      throw UsageError(pcl_spiral::Diagnostic("-o ", output, ": this is ", what, " itself, an input; give the output another name"));
 }
 
 std::string

@@ -102,7 +102,7 @@ switchOption(const std::string& name, const std::string& help, bool& target)
 {
   return {name, "", help, [name, &target](const std::string& value) {
             if (value != "true" && value != "false")
-              throw UsageError(name + ": " + value + ": must be true or false");
+              throw UsageError(pcl_spiral::Diagnostic(name, ": ", value, ": must be true or false"));
             target = value == "true";
           }};
 }

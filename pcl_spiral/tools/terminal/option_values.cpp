@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_values.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <charconv>
@@ -14,15 +14,15 @@ numberValue(const std::string& name, const std::string& value)
   double result = 0.0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
   if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(result))
-    throw UsageError("--" + name + " " + value + ": this is not a number; write it as 12.5");
+    throw UsageError(Diagnostic("--", name, " ", value, ": this is not a number; write it as 12.5"));
   return result;
 }
 
 void
-requireOption(bool holds, const std::string& option, double value, const std::string& rule)
+requireOption(bool holds, const std::string& option, double value, const Diagnostic& rule)
 {
   if (!holds)
-    throw UsageError("--" + option + " " + pcl_spiral::textOf(value) + ": " + rule);
+    throw UsageError(Diagnostic("--", option, " ", pcl_spiral::Diagnostic(value), ": ", rule));
 }
 
 int
@@ -30,7 +30,7 @@ wholeNumberValue(const std::string& name, const std::string& value)
 {
   const double result = numberValue(name, value);
   if (result != std::round(result) || std::abs(result) > 1e9)
-    throw UsageError("--" + name + " " + value + ": this is not a whole number; write it as 4");
+    throw UsageError(Diagnostic("--", name, " ", value, ": this is not a whole number; write it as 4"));
   return static_cast<int>(result);
 }
 
@@ -63,6 +63,6 @@ placeValue(const std::string& name, const std::string& value)
 {
   const std::vector<std::string> words = listValue(value);
   if (words.size() != 3)
-    throw UsageError("--" + name + " " + value + ": give three numbers separated by commas, such as 10,-5,120");
+    throw UsageError(Diagnostic("--", name, " ", value, ": give three numbers separated by commas, such as 10,-5,120"));
   return {numberValue(name, words[0]), numberValue(name, words[1]), numberValue(name, words[2])};
 }

@@ -5,6 +5,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "terminal.h"
 
 #include "io/setting_names.h"
@@ -19,7 +21,7 @@
 double numberValue(const std::string& name, const std::string& value);
 
 /** \throw UsageError "--option value: rule" unless \p holds */
-void requireOption(bool holds, const std::string& option, double value, const std::string& rule);
+void requireOption(bool holds, const std::string& option, double value, const pcl_spiral::Diagnostic& rule);
 
 /** 4 */
 int wholeNumberValue(const std::string& name, const std::string& value);
@@ -40,6 +42,6 @@ choiceValue(const std::string& name, const std::string& value)
 {
   const std::optional<Enum> result = pcl_spiral::choiceFromName<Enum>(value);
   if (!result)
-    throw UsageError("--" + name + " " + value + ": must be one of " + pcl_spiral::choiceList<Enum>());
+    throw UsageError(pcl_spiral::Diagnostic("--", name, " ", value, ": must be one of ", pcl_spiral::choiceList<Enum>()));
   return *result;
 }

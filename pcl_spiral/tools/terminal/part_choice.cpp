@@ -2,13 +2,12 @@
 #include "part_choice.h"
 
 #include "scan_places.h"
-#include "setter_names.h"
 #include "terminal.h"
+#include "vocabulary.h"
 
 #include "collision/ball_way.h"
-#include "common/formatted_text.h"
 #include <pcl_spiral/cleaning/part_region.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/polygon_reader.h>
 #include <pcl_spiral/surface/scanned_surface.h>
@@ -40,24 +39,24 @@ boxOf(const std::string& crop, const ReadOptions& read)
   constexpr double endless = 1e30;
   const std::vector<std::string> words = listValue(crop);
   if (words.size() != 4 && words.size() != 6)
-    throw UsageError("--crop " + crop + ": give xmin,xmax,ymin,ymax, or these and zmin,zmax, or the file of a polygon");
+    throw UsageError(Diagnostic("--crop ", crop, ": give xmin,xmax,ymin,ymax, or these and zmin,zmax, or the file of a polygon"));
   Eigen::Vector3d low = Eigen::Vector3d::Constant(-endless), high = Eigen::Vector3d::Constant(endless);
   for (std::size_t i = 0; i < words.size(); ++i)
     (i % 2 == 0 ? low : high)[static_cast<Eigen::Index>(i / 2)] = numberValue("crop", words[i]);
   for (int axis = 0; axis < 3; ++axis)
     if (!(low[axis] < high[axis]))
-      throw UsageError("--crop " + crop + ": the second number of each pair must be above the first");
+      throw UsageError(Diagnostic("--crop ", crop, ": the second number of each pair must be above the first"));
   return {placeInScan(low, read), placeInScan(high, read)};
 }
 
-std::string
+Diagnostic
 boxText(const Scan& scan)
 {
   Eigen::AlignedBox3d box;
   for (const pcl::PointXYZ& p : *scan.cloud)
     if (pcl::isFinite(p))
       box.extend(p.getVector3fMap().cast<double>());
-  return "from " + placeText(box.min()) + " to " + placeText(box.max());
+  return Diagnostic("from ", Place(box.min()), " to ", Place(box.max()));
 }
 
 template <typename Cloud>
@@ -87,7 +86,7 @@ surfaceOf(const std::string& file, const PartSide& side, const Scan& scan, const
   Surface::ConstPtr surface;
   scanned.compute(surface);
   if (!surface)
-    throw FileError(file, inOptions(scanned.getStatus().message()));
+    throw FileError(file, scanned.getStatus().diagnostic());
   return surface;
 }
 
@@ -118,7 +117,7 @@ selectedBy(Region& region, const CutScan& from)
   pcl::Indices kept;
   region.filter(kept);
   if (!region.getStatus().ok())
-    throw FileError(from.file, inOptions(region.getStatus().message()));
+    throw FileError(from.file, region.getStatus().diagnostic());
   return kept;
 }
 
@@ -129,9 +128,9 @@ keepOnly(const pcl::Indices& kept, const pcl::Indices& echoes, CutScan& from)
 {
   Scan& scan = from.scan;
   if (kept.empty())
-    throw UsageError(from.file + ": no point is left after --crop" + (from.choice.region.empty() ? "" : ", --region") +
-                     " and --keep-out; the scan lies " + boxText(scan) + ": give a larger crop" +
-                     (from.choice.region.empty() ? "" : " or region") + ", or smaller keep-outs");
+    throw UsageError(Diagnostic(from.file, ": no point is left after --crop", (from.choice.region.empty() ? "" : ", --region"),
+                                " and --keep-out; the scan lies ", boxText(scan), ": give a larger crop",
+                                (from.choice.region.empty() ? "" : " or region"), ", or smaller keep-outs"));
   auto next = kept.begin();
   for (std::size_t i = 0; i < scan.cloud->size(); ++i) {
     if (next != kept.end() && static_cast<std::size_t>(*next) == i) {
@@ -206,8 +205,8 @@ keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const St
   const pcl::Indices beside = nearerTo(others, isolated, *surface, *from.scan.cloud);
   pcl::Indices kept = without(beside, without(others, selectedBy(region, from)));
   figures.too_close = region.getFigures().too_close;
-  if (!others.empty())
-    from.scan.warnings.push_back(inOptions(surface->warnings().front()));
+  if (!surface->keptPart().empty())
+    from.scan.warnings.push_back(surface->keptPart());
   const std::vector<UncutStrip> narrow =
       strips.width > 0.0 ? stripsBeside(*surface, *from.scan.cloud, kept, strips.width) : std::vector<UncutStrip>();
   for (std::size_t i = 0; i < narrow.size(); ++i) {
@@ -221,7 +220,7 @@ keepToolOut(Region& region, const PartTool& tool, const PartSide& side, const St
       std::count_if(echoes.begin(), echoes.end(), [&kept](pcl::index_t i) { return !std::binary_search(kept.begin(), kept.end(), i); });
   figures.too_close -= static_cast<std::size_t>(gone);
   if (gone > 0)
-    from.scan.warnings.push_back(textOf(gone, " single points off the surface near keep-outs were left out: no thing stands there"));
+    from.scan.warnings.push_back(Diagnostic(gone, " single points off the surface near keep-outs were left out: no thing stands there"));
   keepOnly(kept, echoes, from);
 }
 
@@ -231,15 +230,15 @@ warnOfCuts(const PartChoice& choice, const RegionFigures& figures, std::size_t a
 {
   const bool region = !choice.region.empty();
   if (!choice.crop.empty() || region)
-    scan.warnings.push_back(textOf(figures.cropped, " of ", all, " points are outside the ", region ? "region" : "crop",
-                                   " and were left out (", region ? "--region" : "--crop", ")"));
+    scan.warnings.push_back(Diagnostic(figures.cropped, " of ", all, " points are outside the ", region ? "region" : "crop",
+                                       " and were left out (", region ? "--region" : "--crop", ")"));
   if (!choice.keep_outs.empty())
-    scan.warnings.push_back(
-        textOf(figures.kept_out, " of ", all, " points are in a keep-out",
-               tool_radius > 0.0
-                   ? textOf(", and ", figures.too_close, " so near to one that the ball would enter it, or the shank what stands there")
-                   : "",
-               ": they are not cut (--keep-out)"));
+    scan.warnings.push_back(Diagnostic(
+        figures.kept_out, " of ", all, " points are in a keep-out",
+        tool_radius > 0.0
+            ? Diagnostic(", and ", figures.too_close, " so near to one that the ball would enter it, or the shank what stands there")
+            : "",
+        ": they are not cut (--keep-out)"));
 }
 
 } // namespace

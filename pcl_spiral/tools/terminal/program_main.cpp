@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_main.h"
 
-#include "scan_places.h"
-#include "setter_names.h"
 #include "terminal.h"
+#include "vocabulary.h"
+
+#include <pcl_spiral/io/file_error.h>
 
 #include <unistd.h>
 
@@ -41,11 +42,15 @@ runProgram(const std::string& name, char* const* argv, const std::function<int()
     return body();
   }
   catch (const UsageError& error) {
-    std::cerr << name << ": " << inScan(error.what()) << '\n' << name << " --help lists the options\n";
+    std::cerr << name << ": " << inWords(error.diagnostic()) << '\n' << name << " --help lists the options\n";
     return bad_usage;
   }
+  catch (const pcl_spiral::FileError& error) {
+    std::cerr << name << ": " << inWords(error.diagnostic()) << '\n';
+    return failed_on_data;
+  }
   catch (const std::exception& error) {
-    std::cerr << name << ": " << inScan(inOptions(error.what())) << '\n';
+    std::cerr << name << ": " << error.what() << '\n';
     return failed_on_data;
   }
 }

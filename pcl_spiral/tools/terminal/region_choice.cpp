@@ -20,7 +20,7 @@ optionText(const Eigen::Vector3d& place)
 std::string
 textOfRegion(const PartChoice& part)
 {
-  std::string text = part.region.empty() ? std::string() : "--region " + shellFile(part.region);
+  std::string text = part.region.empty() ? "" : "--region " + shellFile(part.region);
   if (part.part_at)
     text += (text.empty() ? "" : " ") + optionText(*part.part_at);
   return text;
@@ -81,7 +81,8 @@ regionsOf(const PartChoice& choice, const RegionChoice& regions, const ReadOptio
   }
   for (std::size_t i = 0; i < regions.places.size(); ++i)
     if (!is_used[i])
-      throw UsageError(optionText(regions.places[i]) + ": this place is in no --region; leave it out, or give a region round it");
+      throw UsageError(
+          Diagnostic(optionText(regions.places[i]), ": this place is in no --region; leave it out, or give a region round it"));
   for (std::size_t i = 0; regions.polygons.empty() && i < regions.places.size(); ++i)
     add("", regions.places[i]);
   if (found.empty())
@@ -91,11 +92,11 @@ regionsOf(const PartChoice& choice, const RegionChoice& regions, const ReadOptio
   return found;
 }
 
-std::vector<std::string>
-ofRegion(const std::string& name, std::vector<std::string> warnings)
+Diagnostics
+ofRegion(const std::string& name, Diagnostics warnings)
 {
-  for (std::string& warning : warnings)
+  for (Diagnostic& warning : warnings)
     if (!name.empty())
-      warning = name + ": " + warning;
+      warning = Diagnostic(name, ": ", warning);
   return warnings;
 }

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "part_choice.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -51,12 +53,12 @@ inRegion(const std::string& name, Work work) -> decltype(work())
     return work();
   }
   catch (const UsageError& error) {
-    throw UsageError(name + ": " + error.what());
+    throw UsageError(pcl_spiral::Diagnostic(name, ": ", error.diagnostic()));
   }
   catch (const pcl_spiral::FileError& error) {
-    throw pcl_spiral::FileError(name, error.what());
+    throw pcl_spiral::FileError(name, error.diagnostic());
   }
 }
 
 /** \p warnings with the name of their region. */
-std::vector<std::string> ofRegion(const std::string& name, std::vector<std::string> warnings);
+pcl_spiral::Diagnostics ofRegion(const std::string& name, pcl_spiral::Diagnostics warnings);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "region_overlap.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 
 #include <Eigen/Core>
@@ -24,8 +24,8 @@ requireApart(const std::string& scan, const std::vector<RegionPoints>& regions)
         place = point;
     }
     for (const auto& [owner, count] : shared)
-      throw FileError(scan, textOf(regions[owner].name, " and ", regions[k].name, " have ", count, " points in common, one at ",
-                                   placeText(Eigen::Vector3d(place[0], place[1], place[2])),
-                                   ": they would be cut twice; leave one of the two out, or make the polygons smaller"));
+      throw FileError(scan, Diagnostic(regions[owner].name, " and ", regions[k].name, " have ", count, " points in common, one at ",
+                                       Place(Eigen::Vector3d(place[0], place[1], place[2])),
+                                       ": they would be cut twice; leave one of the two out, or make the polygons smaller"));
   }
 }

@@ -2,11 +2,7 @@
 #include "scan_places.h"
 
 #include "common/formatted_text.h"
-#include <pcl_spiral/common/impl/message.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <utility>
+#include <pcl_spiral/core/diagnostic.h>
 
 using namespace pcl_spiral;
 
@@ -35,38 +31,9 @@ filePlace(const Eigen::Vector3d& place)
 {
   if (!hasFilePlaces())
     return "";
-  const Eigen::Vector3d p = place / millimetres(run_read.unit) + run_read.origin;
+  const Eigen::Vector3d shown = (1e3 * place).array().round() / 1e3; // as placeText
+  const Eigen::Vector3d p = shown / millimetres(run_read.unit) + run_read.origin;
   return formatted(" (in the file %.10g,%.10g,%.10g)", p.x(), p.y(), p.z());
-}
-
-/** Whether a place in brackets that follows \p before is a direction: "the tool axis (0, 0, 1)", "the planes' normal is (1, 0, 0)". */
-bool
-namesDirection(std::string before)
-{
-  for (const char* end : {" ", ",", " is"})
-    if (const std::string tail = end; before.size() >= tail.size() && before.compare(before.size() - tail.size(), tail.size(), tail) == 0)
-      before.erase(before.size() - tail.size());
-  const std::vector<std::string> names{"axis", "normal", "passes", "direction"};
-  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-    return before.size() >= name.size() && before.compare(before.size() - name.size(), name.size(), name) == 0;
-  });
-}
-
-/** Reads "(1.5, -2, 3)" at \p at; sets \p end behind it. \return nothing if there is no place */
-std::optional<Eigen::Vector3d>
-placeAt(const std::string& message, std::size_t at, std::size_t& end)
-{
-  Eigen::Vector3d place;
-  const char* from = message.c_str() + at + 1;
-  for (int c = 0; c < 3; ++c) {
-    char* behind = nullptr;
-    place[c] = std::strtod(from, &behind);
-    if (behind == from || *behind != (c < 2 ? ',' : ')'))
-      return std::nullopt;
-    from = behind + 1;
-  }
-  end = static_cast<std::size_t>(from - message.c_str());
-  return place;
 }
 
 void
@@ -139,35 +106,14 @@ inScan(const Eigen::Vector3d& place)
 }
 
 std::string
-inScan(std::string message)
+shownPlace(const Eigen::Vector3d& place)
 {
-  if (run_shift.isZero() && !hasFilePlaces())
-    return message;
-  std::size_t end = 0;
-  for (std::size_t at = message.find('('); at != std::string::npos; at = message.find('(', at + 1))
-    if (const auto place = placeAt(message, at, end); place && !namesDirection(message.substr(0, at))) {
-      const std::string moved = placeText(inScan(*place)) + filePlace(inScan(*place));
-      message.replace(at, end - at, moved);
-      at += moved.size() - 1;
-    }
-  const std::string asked = "is the scan in metres or inches?";
-  if (const std::size_t at = message.find(asked); at != std::string::npos)
-    message.replace(at, asked.size(), "map coordinates are usually in metres or feet.");
-  return message;
-}
-
-std::vector<std::string>
-inScan(std::vector<std::string> messages)
-{
-  for (std::string& message : messages)
-    message = inScan(std::move(message));
-  return messages;
+  return placeText(inScan(place)) + filePlace(inScan(place));
 }
 
 SpiralReport
 inScan(SpiralReport report)
 {
-  report.warnings = inScan(std::move(report.warnings));
   if (run_shift.isZero())
     return report;
   for (Eigen::Vector3d* place : {&report.centre, &report.sharpest_place, &report.closest_place})
@@ -188,8 +134,6 @@ inScan(Verification v)
 {
   DeviationFigures& d = v.deviation;
   RemovalFigures& r = v.removal;
-  for (std::vector<std::string>* messages : {&d.warnings, &r.warnings, &v.broken, &v.unproven})
-    *messages = inScan(std::move(*messages));
   if (run_shift.isZero())
     return v;
   for (PlacedValue* value : {&d.max, &d.rim_max, &d.gap_max, &d.crease_max, &d.normal_error, &d.first_opposed, &d.first_inward,

@@ -3,8 +3,8 @@
  *  Places in the coordinates of the scan file, for a run whose scan was shifted (see pcl_spiral::Scan::shift) or has another unit.
  *
  *  Everything between reading and writing is in shifted coordinates, mm. Places of options are shifted after reading (fromScan); places
- *  in messages, summaries and reports are shifted back where they are shown (inScan). Messages also have them as the file has them, if
- *  it has another unit or a given origin.
+ *  of summaries and reports are shifted back where they are shown (inScan), and those in messages too (shownPlace), which also has them
+ *  as the file has them, if it has another unit or a given origin.
  */
 #pragma once
 
@@ -18,7 +18,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 /** How the programs read a scan unless --origin is given: with a found origin. */
 pcl_spiral::ReadOptions readFindingOrigin();
@@ -46,15 +45,15 @@ pcl_spiral::ReadOptions readAsScan(pcl_spiral::ReadOptions read);
 Eigen::Vector3d fromScan(const Eigen::Vector3d& place);
 std::optional<Eigen::Vector3d> fromScan(const std::optional<Eigen::Vector3d>& place);
 
-/** The reverse. Of a message: every place that placeText has written, " (in the file 1,2,3)" behind it if the file has other coordinates
- *  than mm in the scan; directions stay. Of reports: every place, and the warnings.
+/** The reverse. Of reports: every place; what they say has its places as fields, see programWords.
  *  @{ */
 Eigen::Vector3d inScan(const Eigen::Vector3d& place);
-std::string inScan(std::string message);
-std::vector<std::string> inScan(std::vector<std::string> messages);
 pcl_spiral::SpiralReport inScan(pcl_spiral::SpiralReport report);
 pcl_spiral::Verification inScan(pcl_spiral::Verification verification);
 /** @} */
+
+/** The text of a place: in the coordinates of the scan, and " (in the file 1,2,3)" behind it if the file has others than mm in the scan. */
+std::string shownPlace(const Eigen::Vector3d& place);
 
 /** "393775000, 3689071000, 0 mm" */
 std::string shiftText();

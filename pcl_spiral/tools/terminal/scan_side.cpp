@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_side.h"
 #include "scan_places.h"
+#include "vocabulary.h"
 
 #include "graph/side_limits.h"
 #include <pcl_spiral/surface/impl/side_text.h>
@@ -18,15 +19,15 @@ sideOf(const Scan& scan, const std::optional<Eigen::Vector3d>& view_point)
 std::string
 sideLine(const ScanSide& asked, const OuterSide& found)
 {
-  std::string text = sideText(found);
+  Diagnostic text = sideText(found);
   if (found.vote == SideVote::GivenNormals)
     text += " (normals of the file; --view-point overrides them)";
   if (found.vote == SideVote::ViewPoint && !asked.from_option)
     text += " (VIEWPOINT of the file; --view-point overrides it)";
-  return "side            " + text;
+  return "side            " + inWords(text);
 }
 
-std::vector<std::string>
+Diagnostics
 viewPointWarnings(const ScanSide& asked, const OuterSide& found)
 {
   const bool is_default = asked.view_point && inScan(*asked.view_point).isZero(1e-6);

@@ -4,12 +4,12 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/io/cloud_reader.h>
 
 #include <optional>
 #include <string>
-#include <vector>
 
 /** What decides the side of a scan. --view-point overrides the file; of the file, normals come before VIEWPOINT. */
 struct ScanSide {
@@ -37,4 +37,4 @@ setSide(const ScanSide& side, Stage& stage)
 std::string sideLine(const ScanSide& asked, const pcl_spiral::OuterSide& found);
 
 /** A warning if the side is that of the default VIEWPOINT of an organised cloud, and +z would have given the other side; else empty. */
-std::vector<std::string> viewPointWarnings(const ScanSide& asked, const pcl_spiral::OuterSide& found);
+pcl_spiral::Diagnostics viewPointWarnings(const ScanSide& asked, const pcl_spiral::OuterSide& found);

@@ -4,13 +4,21 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 /** A wrong command line; the message names the option, the value and the remedy. */
 class UsageError : public std::runtime_error {
 public:
-  using std::runtime_error::runtime_error;
+  explicit UsageError(pcl_spiral::Diagnostic said) : std::runtime_error(said.text()), diagnostic_(std::move(said)) {}
+
+  const pcl_spiral::Diagnostic& diagnostic() const { return diagnostic_; } ///< What what() says, as data.
+
+private:
+  pcl_spiral::Diagnostic diagnostic_;
 };
 
 /** The user has cancelled the run. */

@@ -3,7 +3,7 @@
 
 #include "surface/narrow_strips.h"
 #include <pcl_spiral/cleaning/impl/point_groups.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 
@@ -79,11 +79,11 @@ stripsBeside(const Surface& surface, const pcl::PointCloud<pcl::PointXYZ>& cloud
   return strips;
 }
 
-std::string
+Diagnostic
 stripText(const UncutStrip& strip)
 {
-  return textOf("a strip between a keep-out and the rim is not cut: ", strip.area, " mm2 at ", placeText(strip.place), ", narrower than ",
-                strip.width,
-                " mm; no path was found with it, because its points are too few: scan it more densely, or cut it with the "
-                "keep-out elsewhere");
+  return Diagnostic("a strip between a keep-out and the rim is not cut: ", strip.area, " mm2 at ", Place(strip.place), ", narrower than ",
+                    strip.width,
+                    " mm; no path was found with it, because its points are too few: scan it more densely, or cut it with the "
+                    "keep-out elsewhere");
 }

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/surface.h>
 
 #include <pcl/point_cloud.h>
@@ -11,7 +12,6 @@
 #include <pcl/types.h>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 /** Which strips are left uncut. */
@@ -36,4 +36,4 @@ std::vector<UncutStrip> stripsBeside(const pcl_spiral::Surface& surface, const p
                                      const pcl::Indices& kept, double width);
 
 /** Place, width and area of a strip, and the remedy, as a warning. */
-std::string stripText(const UncutStrip& strip);
+pcl_spiral::Diagnostic stripText(const UncutStrip& strip);

@@ -3,7 +3,7 @@
 #include "job_check.h"
 #include "option_table.h"
 #include "terminal/command_line.h"
-#include "terminal/setter_names.h"
+#include "terminal/vocabulary.h"
 
 Job
 parseCommandLine(int argc, const char* const* argv)

@@ -6,6 +6,7 @@
 #include "program/machine_moves.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
+#include "terminal/vocabulary.h"
 
 #include "mesh/mesh_findings.h"
 
@@ -59,8 +60,8 @@ void
 printMesh(const Job& job, const SampledMesh& mesh, const pcl_spiral::SpiralReport& report)
 {
   std::printf("mesh            %s: %zu faces, %zu vertices\n", job.scan.c_str(), mesh.counts.faces, mesh.counts.vertices);
-  if (const std::string found = pcl_spiral::findingsText(mesh.counts); !found.empty())
-    std::printf("found in it     %s\n", found.c_str());
+  if (const pcl_spiral::Diagnostic found = pcl_spiral::findingsText(mesh.counts); !found.empty())
+    std::printf("found in it     %s\n", inWords(found).c_str());
   std::printf("samples         %zu, one per %.4g mm", report.input_points, mesh.spacing);
 }
 

@@ -39,8 +39,8 @@ check(const Job& job, const Way& way, Result& result)
   asked.mesh = result.whole_mesh;
   if (!asked.mesh)
     asked.points = obstaclesOf(result);
-  asked.remedy = std::string("lean the tool another way (") + (job.settings.fixed_axis ? "--axis" : "--tilt, --lead") +
-                 "), take a longer tool (--flank-length) or a thinner --holder";
+  asked.remedy = Diagnostic("lean the tool another way (", job.settings.fixed_axis ? "--axis" : "--tilt, --lead",
+                            "), take a longer tool (--flank-length) or a thinner --holder");
   asked.accepted = job.program.accept_collisions;
   asked.quiet = job.quiet;
   requireFreePath(asked, way, result.report.warnings);

@@ -6,7 +6,6 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
-#include "common/formatted_text.h"
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
@@ -19,10 +18,10 @@ namespace fs = std::filesystem;
 namespace {
 
 void
-requireGiven(const Job& job, const std::string& option, const std::string& remedy)
+requireGiven(const Job& job, const std::string& option, const Diagnostic& remedy)
 {
   if (job.given.count(option) == 0)
-    throw UsageError("no --" + option + " is given; " + remedy);
+    throw UsageError(pcl_spiral::Diagnostic("no --", option, " is given; ", remedy));
 }
 
 void
@@ -34,17 +33,18 @@ checkCutter(const Job& job)
   requireOption(s.tool_radius > 0.0, "tool-radius", s.tool_radius, "must be above 0 mm, such as 10");
   requireOption(s.scallop_height > 0.0, "scallop", s.scallop_height, "must be above 0 mm, such as 0.05");
   requireOption(s.scallop_height < s.tool_radius, "scallop", s.scallop_height,
-                "must be below the tool radius, which is " + pcl_spiral::formatted("%g", s.tool_radius) +
-                    " mm; a hundredth of the radius is usual");
+                pcl_spiral::Diagnostic("must be below the tool radius, which is ", pcl_spiral::SixDigits(s.tool_radius),
+                                       " mm; a hundredth of the radius is usual"));
   requireOption(s.chord_error > 0.0, "chord-error", s.chord_error, "must be above 0 mm, such as 0.005");
   requireOption(s.chord_error < s.tool_radius, "chord-error", s.chord_error,
-                "must be below the tool radius, which is " + pcl_spiral::formatted("%g", s.tool_radius) + " mm");
+                pcl_spiral::Diagnostic("must be below the tool radius, which is ", pcl_spiral::SixDigits(s.tool_radius), " mm"));
   requireOption(s.max_step >= 0.0, "max-step", s.max_step, "must be above 0 mm, or 0 for the tool radius");
   requireOption(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must be between -90 and 90 degrees");
   requireOption(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must be between -90 and 90 degrees");
   for (const char* option : {"tilt", "lead", "axis-smoothing", "axis-deviation", "max-axis-rate"})
     if (s.fixed_axis && job.given.count(option) > 0)
-      throw UsageError(std::string("--") + option + " changes the tool axis along the path, and --axis keeps it; leave one of the two out");
+      throw UsageError(
+          pcl_spiral::Diagnostic("--", option, " changes the tool axis along the path, and --axis keeps it; leave one of the two out"));
   requireOption(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees per mm");
   requireOption(s.axis_smoothing >= 0.0, "axis-smoothing", s.axis_smoothing, "must be above 0 mm, or 0 for none");
   requireOption(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation, "must be between 0 and 90 degrees");
@@ -64,12 +64,14 @@ checkMesh(const Job& job)
   const auto& known = pcl_spiral::meshExtensions();
   if (const std::string extension = extensionOf(job.scan);
       !extension.empty() && std::find(known.begin(), known.end(), extension) == known.end())
-    throw UsageError(job.scan + ": --mesh reads .stl .obj and .ply, and '" + extension + "' holds no faces; for points leave --mesh out");
+    throw UsageError(pcl_spiral::Diagnostic(job.scan, ": --mesh reads .stl .obj and .ply, and '", extension,
+                                            "' holds no faces; for points leave --mesh out"));
   for (const char* option : {"columns", "skip-lines", "raw-scan", "view-point", "thin", "outliers", "crop", "region", "keep-out"})
     if (job.given.count(option) > 0)
-      throw UsageError(std::string("--") + option + " belongs to scans, and --mesh is given: " +
-                       (std::string(option) == "view-point" ? "the faces define the side (--flip-normals turns them); " : "") +
-                       "leave one of the two out");
+      throw UsageError(
+          pcl_spiral::Diagnostic("--", option, " belongs to scans, and --mesh is given: ",
+                                 (std::string(option) == "view-point" ? "the faces define the side (--flip-normals turns them); " : ""),
+                                 "leave one of the two out"));
   requireOption(job.sample_spacing >= 0.0, "sample-spacing", job.sample_spacing, "must be above 0 mm, or 0 to find it from the mesh");
 }
 
@@ -89,12 +91,14 @@ checkOutputs(const Job& job)
     throw UsageError("no output is given; give at least one, such as -o part.csv");
   for (const std::string& file : job.outputs)
     if (!isWritten(file))
-      throw UsageError("-o " + file + ": extension '" + extensionOf(file) +
-                       "' is not known; use .csv .pcd .ply .vtp .ngc .nc .mpf .h .apt .cls .yaml .json .html or .png");
+      throw UsageError(
+          pcl_spiral::Diagnostic("-o ", file, ": extension '", extensionOf(file),
+                                 "' is not known; use .csv .pcd .ply .vtp .ngc .nc .mpf .h .apt .cls .yaml .json .html or .png"));
   if (const std::string extension = extensionOf(job.reach);
       !job.reach.empty() && extension != ".csv" && extension != ".pcd" && extension != ".ply" && extension != ".png")
-    throw UsageError("--reach " + job.reach +
-                     ": the map of reach is a .csv, .pcd or .ply file, or a picture, .png; give one of these, such as reach.ply");
+    throw UsageError(pcl_spiral::Diagnostic(
+        "--reach ", job.reach,
+        ": the map of reach is a .csv, .pcd or .ply file, or a picture, .png; give one of these, such as reach.ply"));
   checkStockFiles(job.stock);
   const std::vector<std::string> files = filesOf(job);
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -105,7 +109,7 @@ checkOutputs(const Job& job)
     requireNoInput(files[i], polygonFiles(job.part, job.regions));
     if (std::find(files.begin(), files.begin() + static_cast<std::ptrdiff_t>(i), files[i]) !=
         files.begin() + static_cast<std::ptrdiff_t>(i))
-      throw UsageError("-o " + files[i] + ": is given twice");
+      throw UsageError(pcl_spiral::Diagnostic("-o ", files[i], ": is given twice"));
   }
 }
 
@@ -119,9 +123,10 @@ checkRegions(const Job& job)
     throw UsageError("--center belongs to one region, and several are given (--part-at, --region); leave it out, or make one run a region");
   for (const std::string& output : job.outputs)
     if (job.verify && extensionOf(output) == ".png")
-      throw UsageError("-o " + output +
-                       ": with --verify it shows one region, and several are given (--part-at, --region); write .html, "
-                       "or leave --verify and its limits out");
+      throw UsageError(
+          pcl_spiral::Diagnostic("-o ", output,
+                                 ": with --verify it shows one region, and several are given (--part-at, --region); write .html, "
+                                 "or leave --verify and its limits out"));
 }
 
 } // namespace

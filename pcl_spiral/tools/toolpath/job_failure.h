@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Failures of the library in the words of the program.
+ *  Failures of the library as exceptions of the program.
  */
 #pragma once
 
@@ -8,10 +8,5 @@
 
 #include <pcl_spiral/common/status.h>
 
-#include <string>
-
-/** A message of the library with the program's option names, and with a mesh's words if the job has a mesh. */
-std::string inWords(const Job& job, const std::string& message);
-
-/** \throw pcl_spiral::FileError or UsageError with the program's option names, Cancelled, unless \p status is Ok */
+/** \throw pcl_spiral::FileError or UsageError with what \p status says, Cancelled, unless \p status is Ok */
 void requireOk(const Job& job, const pcl_spiral::Status& status);

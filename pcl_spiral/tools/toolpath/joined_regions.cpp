@@ -74,7 +74,7 @@ joined(const Job& job, const Result& input, std::vector<Result> regions)
     addPath(region, *all.path);
     all.echoes.insert(all.echoes.end(), region.echoes.begin(), region.echoes.end());
     const auto first = region.scan.warnings.begin() + static_cast<std::ptrdiff_t>(input.scan.warnings.size());
-    for (const std::string& warning : ofRegion(region.region, {first, region.scan.warnings.end()}))
+    for (const Diagnostic& warning : ofRegion(region.region, {first, region.scan.warnings.end()}))
       all.scan.warnings.push_back(warning);
   }
   all.scan.cloud = cloud;

@@ -2,9 +2,8 @@
 #include "mesh_input.h"
 #include "job_failure.h"
 #include "terminal/scan_places.h"
-#include "terminal/setter_names.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/io/file_error.h>
@@ -34,9 +33,9 @@ requireOpen(const Job& job, const SurfaceMesh& mesh)
   Eigen::AlignedBox3d box;
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
     box.extend(mesh.position(v));
-  throw FileError(job.scan, textOf("the mesh from ", placeText(box.min()), " to ", placeText(box.max()),
-                                   " is closed: it has no boundary where a path can begin or end; keep only the side to be "
-                                   "machined, or machine it in rows (pcl_spiral_drive --mesh)"));
+  throw FileError(job.scan, Diagnostic("the mesh from ", Place(box.min()), " to ", Place(box.max()),
+                                       " is closed: it has no boundary where a path can begin or end; keep only the side to be "
+                                       "machined, or machine it in rows (pcl_spiral_drive --mesh)"));
 }
 
 double
@@ -103,9 +102,9 @@ warnOfSide(const Job& job, const pcl::PointCloud<pcl::Normal>& normals, Result& 
   for (const pcl::Normal& n : normals)
     sum += n.normal_z;
   if (sum < down * static_cast<double>(normals.size()))
-    result.scan.warnings.push_back(std::string("the faces of the mesh point down, along -z, so the cutter comes from below: ") +
-                                   (job.settings.flip_normals ? "leave --flip-normals out" : "give --flip-normals") +
-                                   " if it must come from above");
+    result.scan.warnings.push_back(Diagnostic("the faces of the mesh point down, along -z, so the cutter comes from below: ",
+                                              (job.settings.flip_normals ? "leave --flip-normals out" : "give --flip-normals"),
+                                              " if it must come from above"));
 }
 
 } // namespace
@@ -116,7 +115,7 @@ readMeshSamples(const Job& job, ProgressBar& bar, Result& result)
   MeshFile file = readMesh(job.scan, job.read);
   result.scan.shift = file.shift;
   setScanFrame(file.shift, job.read);
-  result.scan.warnings = inOptions(std::move(file.warnings));
+  result.scan.warnings = std::move(file.warnings);
   if (!bar.update(0.05, "mesh"))
     throw Cancelled();
   MeshSettings settings;
@@ -170,17 +169,17 @@ meshHoleSize(const Job& job, const SampledMesh& mesh)
   return job.settings.hole_size > 0.0 ? job.settings.hole_size : std::max(stepOnPlane(job), spacings_a_hole * mesh.spacing);
 }
 
-std::vector<std::string>
+Diagnostics
 creaseWarnings(const SampledMesh& input, const Surface& surface)
 {
   const MeshCounts& counts = input.mesh->counts();
   if (counts.creases.count == 0)
     return {};
   const double band = surface.spacing() * std::sqrt(surface.fit().neighbours() / pi);
-  return {textOf("the mesh has ", counts.crease_length, " mm of creases (", counts.creases.count, " edges), the first at ",
-                 placeText(counts.creases.place), ": the spiral runs over them as if they were rounded, within about ", band,
-                 " mm; outer edges are cut off, in inner edges material is left. If creases must stay sharp, cut the mesh "
-                 "along them and machine each side separately")};
+  return {Diagnostic("the mesh has ", counts.crease_length, " mm of creases (", counts.creases.count, " edges), the first at ",
+                     Place(counts.creases.place), ": the spiral runs over them as if they were rounded, within about ", band,
+                     " mm; outer edges are cut off, in inner edges material is left. If creases must stay sharp, cut the mesh "
+                     "along them and machine each side separately")};
 }
 
 Status
@@ -189,5 +188,6 @@ withSpacings(const Status& status, const SampledMesh& input)
   if (status.code() != StatusCode::InvalidInput && status.code() != StatusCode::Failed)
     return status;
   const double vertices = std::sqrt(input.mesh->area() / static_cast<double>(input.mesh->vertexCount()));
-  return {status.code(), textOf(status.message(), "; samples are ", input.spacing, " mm apart, vertices of the mesh ", vertices, " mm")};
+  return {status.code(),
+          Diagnostic(status.diagnostic(), "; samples are ", input.spacing, " mm apart, vertices of the mesh ", vertices, " mm")};
 }

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "outputs.h"
 #include "terminal/terminal.h"
 
@@ -19,7 +21,7 @@ void keepUsedParts(const pcl_spiral::Surface& surface, Result& result);
 double meshHoleSize(const Job& job, const SampledMesh& mesh);
 
 /** The warning about creases for a path that follows \p surface; empty without creases. */
-std::vector<std::string> creaseWarnings(const SampledMesh& mesh, const pcl_spiral::Surface& surface);
+pcl_spiral::Diagnostics creaseWarnings(const SampledMesh& mesh, const pcl_spiral::Surface& surface);
 
 /** A failure over samples of \p mesh, with the spacing of the samples and of the vertices. */
 pcl_spiral::Status withSpacings(const pcl_spiral::Status& status, const SampledMesh& mesh);

@@ -9,18 +9,18 @@
 #include "terminal/file_names.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
+#include "terminal/vocabulary.h"
 
 #include "io/report/cutter_text.h"
 #include "io/report/report_writer.h"
 #include "io/write/stock_files.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <stdexcept>
 
 using namespace pcl_spiral;
 
@@ -138,7 +138,7 @@ writeReport(const Job& job, const Result& result, const std::string& title, cons
 {
   RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings, {}, job.options};
   run.shift = scanShift();
-  run.warnings = inScan(run.warnings);
+  run.words = programWords();
   if (result.mesh)
     run.mesh = RunMesh{result.mesh->counts, result.mesh->spacing};
   const std::optional<Verification> judged = result.verification ? std::optional(inScan(*result.verification)) : std::nullopt;
@@ -165,7 +165,7 @@ textsOf(const SpiralSettings& s, const std::string& title)
 {
   return {title,
           {"cutter " + cutterText(CutterShape::ball(s.tool_radius)),
-           textOf("scallop height ", s.scallop_height, " mm, chord error ", s.chord_error, " mm, feed ", s.feed, " mm/min")},
+           Diagnostic("scallop height ", s.scallop_height, " mm, chord error ", s.chord_error, " mm, feed ", s.feed, " mm/min").text()},
           s.chord_error};
 }
 
@@ -180,14 +180,14 @@ writeMoves(const Job& job, const Result& result, const std::string& title, const
 
 } // namespace
 
-std::vector<std::string>
+Diagnostics
 warningsOf(const Result& result)
 {
-  std::vector<std::string> warnings = result.scan.warnings;
+  Diagnostics warnings = result.scan.warnings;
   warnings.insert(warnings.end(), result.report.warnings.begin(), result.report.warnings.end());
   if (!result.verification)
     return warnings;
-  const std::vector<std::string> judged = warningsOf(*result.verification);
+  const Diagnostics judged = warningsOf(*result.verification);
   warnings.insert(warnings.end(), judged.begin(), judged.end());
   return warnings;
 }
@@ -240,5 +240,5 @@ try {
   files.commit();
 }
 catch (const FileError& error) {
-  throw std::runtime_error(files.asGiven(error.what()) + "; no output has been changed");
+  throw FileError(Diagnostic(files.asGiven(error.diagnostic()), "; no output has been changed"));
 }

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "job.h"
 #include "judging/judge.h"
 #include "terminal/part_choice.h"
@@ -61,7 +63,7 @@ struct Result {
 };
 
 /** Warnings of reading, planning and judging. */
-std::vector<std::string> warningsOf(const Result& result);
+pcl_spiral::Diagnostics warningsOf(const Result& result);
 
 /** Writes all files of the job, or none. Reports come last: they contain the time of drawing and writing, which is
  * added to the stages of \p result. \throw pcl_spiral::FileError, Cancelled */

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_judging.h"
-#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
 #include "verify/limit_verdicts.h"
@@ -16,10 +15,10 @@ judgedByTheSameSurface(const SpiralSettings& settings)
 
 namespace {
 
-std::string
+Diagnostic
 moreOf(std::size_t broken)
 {
-  return broken > 1 ? "; and " + std::to_string(broken - 1) + " more" : std::string();
+  return broken > 1 ? Diagnostic("; and ", broken - 1, " more") : Diagnostic();
 }
 
 void
@@ -50,14 +49,14 @@ judgeOne(const Job& job, Result& result)
   if (cancelled())
     throw Cancelled();
   if (!status.ok())
-    throw FileError(job.scan, "the path was made but could not be checked: " + inOptions(status.message()));
+    throw FileError(job.scan, Diagnostic("the path was made but could not be checked: ", status.diagnostic()));
   if (!settings.surface)
     result.report.passes += reference->scanned().counts().passes;
-  verification.broken = inOptions(brokenLimits(job.limits, verification));
-  verification.unproven = inOptions(unprovenLimits(job.limits, verification));
+  verification.broken = brokenLimits(job.limits, verification);
+  verification.unproven = unprovenLimits(job.limits, verification);
   if (!verification.broken.empty())
-    throw FileError(job.scan,
-                    "the path was made, but a limit is broken: " + verification.broken.front() + moreOf(verification.broken.size()));
+    throw FileError(job.scan, Diagnostic("the path was made, but a limit is broken: ", verification.broken.front(),
+                                         moreOf(verification.broken.size())));
   if (!job.stock.empty())
     result.left = stockMesh(*reference, result.heights.stock);
   result.verification = std::move(verification);

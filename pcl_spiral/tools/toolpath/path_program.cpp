@@ -31,9 +31,9 @@ requireFree(const Job& job, const MachineProgram& program, Result& result)
 } // namespace
 
 MachineProgram
-freeProgram(const Job& job, const Machine& machine, const std::vector<ToolPoses>& passes, Result& result, std::vector<std::string>& made)
+freeProgram(const Job& job, const Machine& machine, const std::vector<ToolPoses>& passes, Result& result, Diagnostics& made)
 {
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   const ProgramJob asked = programJob(job, result);
   const auto make = [&](const std::vector<std::size_t>& retracted) {
     warnings.clear();
@@ -49,7 +49,7 @@ void
 addProgram(const Job& job, const Machine& machine, Result& result)
 {
   StageClock clock(result.report.stages);
-  std::vector<std::string> made = spindleWarnings(job.program, machine, job.outputs);
+  Diagnostics made = spindleWarnings(job.program, machine, job.outputs);
   result.program = freeProgram(job, machine, ballPasses(*result.path, job.settings.tool_radius), result, made);
   result.report.warnings.insert(result.report.warnings.end(), made.begin(), made.end());
   checkHolder(job, *result.program, result);

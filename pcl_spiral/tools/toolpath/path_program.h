@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "outputs.h"
 
 /** Makes the program of the path on \p machine; the leads of the cutter do not touch the scan. \throw pcl_spiral::FileError, Cancelled */
@@ -16,4 +18,4 @@ void addMoves(const Job& job, Result& result);
 /** The program of \p passes over everything in the scan, with nothing of it in the way of the leads. Warnings of its making go to
  *  \p made, those about echoes to the report. \throw pcl_spiral::FileError, Cancelled */
 pcl_spiral::MachineProgram freeProgram(const Job& job, const pcl_spiral::Machine& machine, const std::vector<pcl_spiral::ToolPoses>& passes,
-                                       Result& result, std::vector<std::string>& made);
+                                       Result& result, pcl_spiral::Diagnostics& made);

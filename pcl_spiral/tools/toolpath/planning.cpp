@@ -4,7 +4,7 @@
 #include "single_run.h"
 #include "way_check.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 
 #include <exception>
@@ -86,9 +86,9 @@ plannedBesideKeepOuts(Job job, ProgressBar& bar, const Result& input)
     try {
       Result result = plannedWithLeastUncut(job, bar, input);
       if (job.part.margin > 0.0)
-        result.report.warnings.push_back(textOf("the ball stays ", job.part.margin,
-                                                " mm farther from the keep-outs than it must: nearer, the ",
-                                                "path, which runs a little beyond the last points, would enter one"));
+        result.report.warnings.push_back(Diagnostic("the ball stays ", job.part.margin,
+                                                    " mm farther from the keep-outs than it must: nearer, the ",
+                                                    "path, which runs a little beyond the last points, would enter one"));
       return result;
     }
     catch (const EntersKeepOut& entry) {

@@ -42,7 +42,7 @@ boxToClear(const Job& job, const Result& result)
 RegionLinks
 checkedLinks(const Job& job, Result& result)
 {
-  std::vector<std::string> unused; // warnings about a machine that is not asked for
+  Diagnostics unused; // warnings about a machine that is not asked for
   const MachineProgram program = freeProgram(job, xyzacTrunnion(), passEnds(result), result, unused);
   return linksOf(result, program);
 }

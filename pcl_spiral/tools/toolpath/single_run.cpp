@@ -5,14 +5,14 @@
 #include "mesh_input.h"
 #include "path_judging.h"
 #include "terminal/scan_places.h"
-#include "terminal/setter_names.h"
+#include "terminal/vocabulary.h"
 #include "way_check.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
 #include <pcl_spiral/collision/impl/way_check.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <Eigen/Geometry>
@@ -39,7 +39,7 @@ requirePath(const Job& job, const Status& status, bool is_late = false)
   if (status.ok() || status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::Cancelled || cancelled())
     requireOk(job, status);
   else
-    throw NoPath(job.scan, inWords(job, status.message()), is_late);
+    throw NoPath(job.scan, status.diagnostic(), is_late);
 }
 
 /** The surface of the samples of a mesh, or the one that planning, verification and the map of reach share. */
@@ -90,10 +90,12 @@ requireScale(const Job& job, const Scan& scan)
     if (point.getVector3fMap().allFinite())
       box.extend(point.getVector3fMap().cast<double>());
   if (!box.isEmpty() && box.diagonal().norm() < job.settings.tool_radius)
-    throw FileError(job.scan, inScan(textOf("the whole scan is ", box.diagonal().norm(), " mm across, less than the tool radius ",
-                                            job.settings.tool_radius,
-                                            " mm: is the scan in metres or inches? Give its unit: --units m or --units inch; or "
-                                            "--units mm if the ball is larger than the part")));
+    throw FileError(
+        job.scan,
+        Diagnostic("the whole scan is ", box.diagonal().norm(), " mm across, less than the tool radius ", job.settings.tool_radius,
+                   " mm: ", scanShift().isZero() ? "is the scan in metres or inches?" : "map coordinates are usually in metres or feet.",
+                   " Give its unit: --units m or --units inch; or "
+                   "--units mm if the ball is larger than the part"));
 }
 
 /** Takes the points of the part out of the scan, and makes their surface if more than the planner needs it. */
@@ -150,12 +152,13 @@ void
 readInput(const Job& job, ProgressBar& bar, Result& result)
 {
   bar.update(0.0, "reading " + job.scan);
-  if (job.mesh)
+  if (job.mesh) {
+    speakOfMesh();
     readMeshSamples(job, bar, result);
+  }
   else {
     result.scan = readCloud(job.scan, job.read);
     setScanFrame(result.scan.shift, job.read);
-    result.scan.warnings = inOptions(result.scan.warnings);
     result.side = sideOf(result.scan, fromScan(job.settings.view_point));
   }
   result.whole_scan = result.scan.cloud;
@@ -188,14 +191,12 @@ planned(const Job& job, const StripChoice& strips, ProgressBar& bar, Result resu
               madeTurns(generator.getReport()));
   result.report = generator.getReport();
   if (!result.mesh)
-    for (const std::string& warning : viewPointWarnings(result.side, result.report.side))
+    for (const Diagnostic& warning : viewPointWarnings(result.side, result.report.side))
       result.report.warnings.push_back(warning);
   checkRawScan(job, result);
   checkHolder(job, result);
-  for (std::string& warning : result.report.warnings)
-    warning = inWords(job, warning);
   if (result.mesh)
-    for (const std::string& warning : creaseWarnings(*result.mesh, *result.surface))
+    for (const Diagnostic& warning : creaseWarnings(*result.mesh, *result.surface))
       result.report.warnings.push_back(warning);
   if (result.surface)
     result.report.passes += result.surface->counts().passes;

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "outputs.h"
 
 #include "terminal/terminal.h"
@@ -14,7 +16,7 @@
 /** A refusal of the surface or of the generator. */
 class NoPath : public pcl_spiral::FileError {
 public:
-  NoPath(const std::string& file, const std::string& reason, bool is_late) : FileError(file, reason), late(is_late) {}
+  NoPath(const std::string& file, const pcl_spiral::Diagnostic& reason, bool is_late) : FileError(file, reason), late(is_late) {}
   bool late; ///< after turns were made: as slow as a path
 };
 

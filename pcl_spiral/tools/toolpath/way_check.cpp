@@ -2,7 +2,6 @@
 #include "way_check.h"
 
 #include "judging/judged_part.h"
-#include "terminal/setter_names.h"
 
 #include <pcl_spiral/collision/impl/way_check.h>
 
@@ -25,7 +24,7 @@ requireFreeWay(const Job& job, const Status& status, const std::optional<Blocked
 {
   if (!blocked)
     return;
-  const std::string reason = inOptions(status.message());
+  const Diagnostic reason = status.diagnostic();
   if (blocked->by == BlockedBy::KeepOut)
     throw EntersKeepOut(job.scan, reason, blocked->room, blocked->crosses);
   throw FileError(job.scan, blocked->by == BlockedBy::Beside && job.regions.several()
@@ -44,10 +43,10 @@ checkRawScan(const Job& job, Result& result)
   JudgeSettings settings;
   settings.cutter = CutterShape::ball(job.settings.tool_radius);
   const double allowed = job.limits.gouge.value_or(gougeTolerance(job.settings.chord_error, result.report.noise));
-  const std::string fault = faultInRaw(raw, result.path, settings, allowed);
+  const Diagnostic fault = faultInRaw(raw, result.path, settings, allowed);
   if (fault.empty())
     return;
   if (job.verify)
-    throw FileError(job.scan, "the path was made, but " + fault);
+    throw FileError(job.scan, Diagnostic("the path was made, but ", fault));
   result.report.warnings.push_back(fault);
 }

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "job.h"
 #include "outputs.h"
 
@@ -15,7 +17,7 @@
 /** A path on which the ball enters a keep-out. */
 class EntersKeepOut : public pcl_spiral::FileError {
 public:
-  EntersKeepOut(const std::string& file, const std::string& reason, double room, bool crosses)
+  EntersKeepOut(const std::string& file, const pcl_spiral::Diagnostic& reason, double room, bool crosses)
   : FileError(file, reason), room_(room), crosses_(crosses)
   {}
   double room() const { return room_; }     ///< how much farther away the ball should stay, mm

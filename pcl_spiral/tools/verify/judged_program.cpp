@@ -3,14 +3,13 @@
 #include "scan_reference.h"
 
 #include "terminal/file_names.h"
-#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
 #include "machine/limit_check.h"
 #include "verify/program_pace.h"
 #include "verify/program_path.h"
 #include <pcl_spiral/collision/impl/way_check.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
 #include <pcl_spiral/io/program_reader.h>
@@ -25,15 +24,15 @@ using namespace pcl_spiral;
 
 namespace {
 
-std::string
+Diagnostic
 textOfCollision(const LeadFigures& figures, const ProgramFile& read)
 {
   const LeadCollision& deepest = figures.deepest;
   const bool rapid = read.program.blocks[deepest.block].rapid;
-  return textOf("line ", read.lines[deepest.block], ": on this ", rapid ? "rapid move " : "feed move off the path ",
-                deepest.part == ToolPart::Cutter ? "the cutter" : "a shank as wide as the cutter", " would be ", deepest.depth,
-                " mm deep in the scan at ", placeText(deepest.place), ", the tip at ", placeText(deepest.tip), "; ", figures.collided,
-                " of ", figures.moves, " moves that do not cut collide");
+  return Diagnostic("line ", read.lines[deepest.block], ": on this ", rapid ? "rapid move " : "feed move off the path ",
+                    deepest.part == ToolPart::Cutter ? "the cutter" : "a shank as wide as the cutter", " would be ", deepest.depth,
+                    " mm deep in the scan at ", Place(deepest.place), ", the tip at ", Place(deepest.tip), "; ", figures.collided, " of ",
+                    figures.moves, " moves that do not cut collide");
 }
 
 /** What the tool would hit where it does not cut. */
@@ -54,14 +53,14 @@ checkOtherMoves(const VerifyJob& job, const JudgedPart& part, const ReferenceSur
   if (cancelled())
     throw Cancelled();
   if (!check.getStatus().ok())
-    throw FileError(job.scan, check.getStatus().message());
+    throw FileError(job.scan, check.getStatus().diagnostic());
   ProgramFigures& program = *verification.program;
   program.leads = check.getObstacleFigures();
   if (program.leads.collided > 0)
     program.faults.push_back(textOfCollision(program.leads, read));
   else if (check.getFigures().collided > 0)
-    verification.program->warnings.push_back(textOfCollision(check.getFigures(), read) +
-                                             ": only single points off the surface are there, usually false echoes");
+    verification.program->warnings.push_back(
+        Diagnostic(textOfCollision(check.getFigures(), read), ": only single points off the surface are there, usually false echoes"));
 }
 
 /** The cutting way of the blocks \p own of \p program, which learns where the leads are. */
@@ -100,10 +99,10 @@ checkPace(const VerifyJob& job, const ProgramFile& read, const ProgramPath& path
   const std::vector<HurriedBlock> hurried = hurriedBlocks(read.program, job.settings.cutter.corner_radius, contactsOf(path, read.program));
   if (!hurried.empty())
     verification.program->warnings.push_back(
-        textOf("line ", read.lines[hurried.front().block], ": the cutter moves ", hurried.front().times,
-               " times as fast as on the lines before and after",
-               hurried.size() > 1 ? textOf(", and so on ", hurried.size() - 1, " other lines") : std::string(),
-               ": perhaps a block is missing before it; write the program again"));
+        Diagnostic("line ", read.lines[hurried.front().block], ": the cutter moves ", hurried.front().times,
+                   " times as fast as on the lines before and after",
+                   hurried.size() > 1 ? Diagnostic(", and so on ", hurried.size() - 1, " other lines") : Diagnostic(),
+                   ": perhaps a block is missing before it; write the program again"));
 }
 
 } // namespace
@@ -138,25 +137,25 @@ readJudgedProgram(const VerifyJob& job, const JudgedPart& part, const std::strin
     program.lines.push_back(read.lines[block]);
   if (const Status status = checkLimits(Kinematics(read.program.machine), read.program.blocks, read.lines); !status.ok()) {
     if (read.by_vectors)
-      program.warnings.push_back("if the control turns the rotary axes the nearest way from home: " + status.message());
+      program.warnings.push_back(Diagnostic("if the control turns the rotary axes the nearest way from home: ", status.diagnostic()));
     else
-      program.faults.push_back(status.message());
+      program.faults.push_back(status.diagnostic());
   }
   if (read.still_line > 0)
-    program.warnings.push_back(textOf("line ", read.still_line,
-                                      ": the tool feeds with the spindle off: no M3 or M4 is before it, unless a "
-                                      "line of your shop starts it; write M3 with a speed"));
+    program.warnings.push_back(Diagnostic("line ", read.still_line,
+                                          ": the tool feeds with the spindle off: no M3 or M4 is before it, unless a "
+                                          "line of your shop starts it; write M3 with a speed"));
   judged.verification.program = std::move(program);
   checkOtherMoves(job, part, *reference, read, judged.verification);
   checkPace(job, read, path, judged.verification);
   if (path.path.empty()) {
-    std::string all;
-    for (const std::string& fault : judged.verification.program->faults)
+    Diagnostic all;
+    for (const Diagnostic& fault : judged.verification.program->faults)
       all += "; " + fault;
-    throw FileError(file, textOf("the cutter stays more than ", settings.air,
-                                 " mm above the scan on all of its feed moves: check work_zero and "
-                                 "tool_length of the machine file, and --origin of the scan") +
-                              all);
+    throw FileError(file, Diagnostic("the cutter stays more than ", settings.air,
+                                     " mm above the scan on all of its feed moves: check work_zero and "
+                                     "tool_length of the machine file, and --origin of the scan",
+                                     all));
   }
   *judged.path = path.path;
   if (!isBall(job.settings.cutter))

@@ -5,6 +5,7 @@
 #include "terminal/file_names.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
+#include "terminal/vocabulary.h"
 
 #include "io/write/stock_files.h"
 #include <pcl_spiral/io/file_error.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <stdexcept>
 
 using namespace pcl_spiral;
 
@@ -61,12 +61,12 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
 void
 VerifyOutputs::finish(const std::vector<JudgedPart>& parts)
 try {
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   for (const JudgedPart& part : parts)
     warnings.insert(warnings.end(), part.warnings.begin(), part.warnings.end());
   const VerificationRun run{
-      job_.scan,   job_.read.unit, job_.settings.cutter, job_.settings.scallop_height, job_.settings.chord_error, inScan(warnings),
-      job_.limits, mesh_,          scanShift()};
+      job_.scan, job_.read.unit, job_.settings.cutter, job_.settings.scallop_height, job_.settings.chord_error, warnings, job_.limits,
+      mesh_,     scanShift(),    programWords()};
   const std::string title = std::filesystem::path(job_.paths.front()).filename().string() + (job_.paths.size() > 1 ? " and others" : "");
   std::size_t i = 0;
   for (const std::string& output : job_.outputs) {
@@ -87,5 +87,5 @@ try {
   files_.commit();
 }
 catch (const FileError& error) {
-  throw std::runtime_error(files_.asGiven(error.what()) + "; no output has been changed");
+  throw FileError(Diagnostic(files_.asGiven(error.diagnostic()), "; no output has been changed"));
 }

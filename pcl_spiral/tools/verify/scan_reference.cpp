@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scan_reference.h"
 
-#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -29,6 +28,6 @@ scanReference(const VerifyJob& job, const JudgedPart& part)
   if (cancelled())
     throw Cancelled();
   if (!scanned.getStatus().ok())
-    throw FileError(job.scan, inOptions(scanned.getStatus().message()));
+    throw FileError(job.scan, scanned.getStatus().diagnostic());
   return std::make_shared<ReferenceSurface>(surface);
 }

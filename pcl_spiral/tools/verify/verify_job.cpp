@@ -7,7 +7,7 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 #include "terminal/read_options.h"
-#include "terminal/setter_names.h"
+#include "terminal/vocabulary.h"
 
 #include <pcl_spiral/io/program_writer.h>
 
@@ -74,7 +74,7 @@ refuseInputs(const VerifyJob& job)
   for (const std::string& file : filesOf(job))
     for (const std::string& input : inputs)
       require(!std::filesystem::equivalent(file, input, error),
-              file + ": this is " + input + ", which is read; give the output another name");
+              Diagnostic(file, ": this is ", input, ", which is read; give the output another name"));
 }
 
 /** Programs need their machine, and the machine needs a program. */
@@ -87,9 +87,9 @@ checkPrograms(const VerifyJob& job)
   require(!any || !job.mesh, "programs are judged by a scan; leave --mesh out, so that the vertices of the mesh are the scan");
   for (const std::string& path : job.paths) {
     require(!job.machine_file.empty() || !isProgramExtension(extensionOf(path)),
-            path + ": a program has the axes of a machine; give its machine file, such as --machine xyzac.yaml");
+            Diagnostic(path, ": a program has the axes of a machine; give its machine file, such as --machine xyzac.yaml"));
     if (const std::optional<Dialect> own = dialectOfExtension(extensionOf(path)); own && job.dialect)
-      require(*own == *job.dialect, path + ": is always for " + std::string(entryOf(*own).word) + "; leave --dialect out");
+      require(*own == *job.dialect, Diagnostic(path, ": is always for ", std::string(entryOf(*own).word), "; leave --dialect out"));
   }
 }
 
@@ -103,16 +103,17 @@ check(const VerifyJob& job, bool radius_given)
     const std::string extension = extensionOf(output);
     const std::vector<std::string> known{".json", ".html", ".png", ".vtp"};
     require(std::find(known.begin(), known.end(), extension) != known.end(),
-            "-o " + output + ": extension '" + extension + "' is not known; use .json .html .png or .vtp");
-    require(job.paths.size() == 1 || extension == ".json" || extension == ".html",
-            "-o " + output + ": shows one path, and " + std::to_string(job.paths.size()) +
-                " are given; give only one path, or write .json or .html");
-    require(!job.regions.several() || extension == ".json" || extension == ".html",
-            "-o " + output + ": shows one region, and several are given (--part-at, --region); give one, or write .json or .html");
+            Diagnostic("-o ", output, ": extension '", extension, "' is not known; use .json .html .png or .vtp"));
+    require(
+        job.paths.size() == 1 || extension == ".json" || extension == ".html",
+        Diagnostic("-o ", output, ": shows one path, and ", job.paths.size(), " are given; give only one path, or write .json or .html"));
+    require(
+        !job.regions.several() || extension == ".json" || extension == ".html",
+        Diagnostic("-o ", output, ": shows one region, and several are given (--part-at, --region); give one, or write .json or .html"));
   }
   checkStockFiles(job.stock);
   require(job.stock.empty() || job.paths.size() == 1,
-          "--stock: shows what one path leaves, and " + std::to_string(job.paths.size()) + " are given; give only one path");
+          Diagnostic("--stock: shows what one path leaves, and ", job.paths.size(), " are given; give only one path"));
   require(job.raw_scan.empty() || !job.mesh, "--raw-scan belongs to scans, and --mesh is given: leave one of the two out");
   checkPrograms(job);
   refuseInputs(job);
@@ -131,7 +132,7 @@ fromMap(const po::variables_map& given)
     if (given.count(name) == 0)
       return;
     value = numberValue(name, given[name].as<std::string>());
-    require(*value >= 0.0, "--" + std::string(name) + " must not be below 0");
+    require(*value >= 0.0, Diagnostic("--", std::string(name), " must not be below 0"));
   };
   if (given.count("file") > 0) {
     job.paths = given["file"].as<std::vector<std::string>>();

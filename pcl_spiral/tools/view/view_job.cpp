@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view_job.h"
 
-#include "terminal/setter_names.h"
 #include "terminal/terminal.h"
+#include "terminal/vocabulary.h"
 
 #include <boost/program_options.hpp>
 
@@ -49,9 +49,9 @@ parseViewCommandLine(int argc, const char* const* argv)
   if (job.help || job.version)
     return job;
   const Files named = given.count("file") > 0 ? given["file"].as<Files>() : Files();
-  require(named.size() == 1 || named.size() == 2, std::to_string(named.size()) +
-                                                      " files are given; give a scan, such as part.pcd, or the "
-                                                      "scan, or with --mesh the mesh, and then one path, such as part.pcd part.csv");
+  require(named.size() == 1 || named.size() == 2,
+          pcl_spiral::Diagnostic(named.size(), " files are given; give a scan, such as part.pcd, or the "
+                                               "scan, or with --mesh the mesh, and then one path, such as part.pcd part.csv"));
   job.scan = named[0];
   job.path = named.size() > 1 ? named[1] : "";
   job.read = scanOptions(given);

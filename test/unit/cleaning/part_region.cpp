@@ -128,10 +128,10 @@ TEST(PartRegion, PrismsKnowTheirWidth)
 TEST(PartRegion, PolygonsWithFaults)
 {
   const auto fault = [](const Corners& corners) { return Prism(corners, Eigen::Vector3d::UnitZ()).fault(); };
-  EXPECT_NE(fault({}).find("0 different corners"), std::string::npos);
-  EXPECT_NE(fault({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}}).find("2 different corners"), std::string::npos);
-  EXPECT_NE(fault({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}).find("no area"), std::string::npos);
-  EXPECT_NE(fault({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}}).find("crosses"), std::string::npos);
+  EXPECT_NE(fault({}).text().find("0 different corners"), std::string::npos);
+  EXPECT_NE(fault({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}}).text().find("2 different corners"), std::string::npos);
+  EXPECT_NE(fault({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}).text().find("no area"), std::string::npos);
+  EXPECT_NE(fault({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}}).text().find("crosses"), std::string::npos);
   EXPECT_EQ(fault({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 0, 0}}), "") << "closed in its file";
 }
 

@@ -67,8 +67,8 @@ side(ScannedSurface<P>& scanned, std::string* warnings = nullptr)
   for (std::size_t i = 0; surface && i < surface->size(); ++i)
     sum += surface->normal(i).z() / static_cast<double>(surface->size());
   if (warnings)
-    for (const std::string& warning : surface->warnings())
-      *warnings += warning + "\n";
+    for (const pcl_spiral::Diagnostic& warning : surface->warnings())
+      *warnings += warning.text() + "\n";
   return sum;
 }
 
@@ -166,9 +166,9 @@ TEST(PclHabits, WhatSinglePrecisionTakesIsNamed)
     double farthest = 0.0, stated = 0.0;
     for (const ToolpathPoint& p : path)
       farthest = std::max(farthest, std::abs((p.getVector3fMap().cast<double>() - Eigen::Vector3d(off, off, 0.0)).norm() - ball));
-    for (const std::string& warning : spiral.getReport().warnings)
-      if (const std::size_t at = warning.find("by up to "); at != std::string::npos && has(warning, "single precision"))
-        stated = std::stod(warning.substr(at + 9));
+    for (const pcl_spiral::Diagnostic& warning : spiral.getReport().warnings)
+      if (const std::size_t at = warning.text().find("by up to "); at != std::string::npos && has(warning.text(), "single precision"))
+        stated = std::stod(warning.text().substr(at + 9));
     EXPECT_LT(farthest, spiral.getChordError() + 2.0 * stated) << off; // of the scan, then of the path
     if (off < 1e5)
       EXPECT_EQ(stated, 0.0) << off;

@@ -302,8 +302,9 @@ TEST(Surroundings, AnEchoOrATableAtAGapLeaveItAGap)
     spiral.generator.setTiltAngle(0.0);
     EXPECT_TRUE(spiral.run().ok()) << spiral.run().message();
     const auto& warnings = spiral.generator.getReport().warnings;
-    const bool is_hole = std::any_of(warnings.begin(), warnings.end(),
-                                     [](const std::string& text) { return text.find("is a hole that is not cut") != std::string::npos; });
+    const bool is_hole = std::any_of(warnings.begin(), warnings.end(), [](const pcl_spiral::Diagnostic& text) {
+      return text.text().find("is a hole that is not cut") != std::string::npos;
+    });
     const auto over = std::count_if(spiral.path.begin(), spiral.path.end(), [](const ToolpathPoint& p) { return p.over_gap != 0; });
     EXPECT_EQ(is_hole, over == 0);
     return is_hole;
@@ -343,8 +344,9 @@ TEST(Surroundings, ASurfaceOfASelectionAloneIsWarnedOf)
   alone.compute(path);
   ASSERT_TRUE(alone.getStatus().ok()) << alone.getStatus().message();
   const auto& warnings = alone.getReport().warnings;
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
-                          [](const std::string& text) { return text.find("the ball may cut into it") != std::string::npos; }));
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const pcl_spiral::Diagnostic& text) {
+    return text.text().find("the ball may cut into it") != std::string::npos;
+  }));
   Spiral with_cloud(scan); // the remedy
   with_cloud.generator.setIndices(part);
   with_cloud.generator.setInputSurface(surface);

@@ -282,7 +282,7 @@ TEST(CutterProfile, BadMeasuresAreNamedWithTheirValueAndARemedy)
       {CutterShape::taperedBullNose(5.0, 4.0, 10.0, 10.0), "corner reaches across the axis: its radius is 4 mm"},
   };
   for (const auto& one : cases) {
-    EXPECT_NE(faultOf(one.shape).find(one.says), std::string::npos) << faultOf(one.shape);
+    EXPECT_NE(faultOf(one.shape).text().find(one.says), std::string::npos) << faultOf(one.shape);
     EXPECT_THROW(CutterProfile{one.shape}, std::invalid_argument);
   }
   EXPECT_EQ(faultOf(CutterShape::taper(5.0, 10.0, 30.0)), ""); // a cone with a point

@@ -118,9 +118,9 @@ TEST(ToolHolder, SegmentsThatCannotBeAreNamed)
 {
   EXPECT_EQ(faultOf(shank_and_chuck), "");
   EXPECT_EQ(faultOf(std::vector<ToolSegment>{{5, 5, 0, "shank"}}), "segment 1 of the holder (shank) is 0 mm long; set its length above 0");
-  EXPECT_NE(faultOf(std::vector<ToolSegment>{{5, 5, 1, ""}, {-1, 5, 2, ""}}).find("segment 2 of the holder has the lower"),
+  EXPECT_NE(faultOf(std::vector<ToolSegment>{{5, 5, 1, ""}, {-1, 5, 2, ""}}).text().find("segment 2 of the holder has the lower"),
             std::string::npos);
-  EXPECT_NE(faultOf(std::vector<ToolSegment>{{5, std::nan(""), 1, ""}}).find("upper radius nan"), std::string::npos);
+  EXPECT_NE(faultOf(std::vector<ToolSegment>{{5, std::nan(""), 1, ""}}).text().find("upper radius nan"), std::string::npos);
   EXPECT_THROW(HolderProfile({{5, 5, 0, ""}}, 0.0, 1.0, 0.0), std::invalid_argument);
   EXPECT_THROW(HolderProfile(shank_and_chuck, 0.0, 1.0, -1.0), std::invalid_argument);
 }
@@ -162,8 +162,8 @@ TEST(ToolHolder, CollisionsAreFoundReportedAndTiltedAway)
   EXPECT_EQ(location.getFigures().collisions, 1u);
   EXPECT_EQ(location.getFigures().most_collided, 0u);
   bool said = false;
-  for (const std::string& warning : location.getFigures().warnings)
-    said = said || warning.find("chuck of location 0 at (10, ") != std::string::npos;
+  for (const pcl_spiral::Diagnostic& warning : location.getFigures().warnings)
+    said = said || warning.text().find("chuck of location 0 at (10, ") != std::string::npos;
   EXPECT_TRUE(said);
 
   location.setLocationSurface(location.getLocationSurface());

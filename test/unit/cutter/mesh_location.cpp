@@ -52,7 +52,7 @@ TEST(MeshLocation, InAValleyNarrowerThanTheBallItIsLiftedAndGougesNoMoreThanTheM
         ASSERT_LE(waves.distance(l.tip + R * l.axis), R + e + 0.002) << step << ' ' << i;
       }
       ASSERT_FALSE(run.figures.warnings.empty());
-      EXPECT_NE(run.figures.warnings.back().find("200 of 200 locations are lifted off their given contact, the most by"),
+      EXPECT_NE(run.figures.warnings.back().text().find("200 of 200 locations are lifted off their given contact, the most by"),
                 std::string::npos);
     }
   }
@@ -151,7 +151,7 @@ TEST(MeshLocation, EveryState)
   EXPECT_EQ(run.locations[6].basis, LocationBasis::AskedContact);
   EXPECT_NEAR(run.locations[3].lift, -5.0, 1e-12);
   EXPECT_FALSE(run.locations[5].tip.allFinite());
-  EXPECT_NE(run.figures.warnings[0].find("1 of 8 locations have no face of the mesh under the cutter"), std::string::npos);
+  EXPECT_NE(run.figures.warnings[0].text().find("1 of 8 locations have no face of the mesh under the cutter"), std::string::npos);
 }
 
 } // namespace mesh_location_test

@@ -90,7 +90,7 @@ TEST(SteepContact, ANoisyScanIsSaidToBeKnownLessWellThanTheTolerance)
   const Vector3d up = Vector3d::UnitZ();
   const Located run = located(toCloud(sampled.points), CutterShape::ball(5.0), {{{0, 0, 0}, up, up}});
   ASSERT_EQ(run.figures.warnings.size(), 1u);
-  EXPECT_NE(run.figures.warnings[0].find("more than the contact tolerance of 0.01 mm"), std::string::npos);
+  EXPECT_NE(run.figures.warnings[0].text().find("more than the contact tolerance of 0.01 mm"), std::string::npos);
 }
 
 } // namespace steep_contact_test

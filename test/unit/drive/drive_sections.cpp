@@ -173,7 +173,7 @@ TEST(DriveSections, StayWholeUnderNoiseOfTheSpacingAndSaySo)
   std::printf("  %zu passes, %zu short pieces left out\n", noisy.passes.size(), noisy.report.short_pieces);
   EXPECT_LE(noisy.passes.size(), 66u);
   ASSERT_EQ(noisy.report.warnings.size(), 1u);
-  EXPECT_NE(noisy.report.warnings[0].find("smooth"), std::string::npos);
+  EXPECT_NE(noisy.report.warnings[0].text().find("smooth"), std::string::npos);
 }
 
 TEST(DriveSections, OfAClosedColumnAreRings)

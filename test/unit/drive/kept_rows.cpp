@@ -131,7 +131,7 @@ TEST(KeptRows, AreHeldOnWallsAlongThePlanesAndSaySo)
     EXPECT_GT(run.report.held_share, 0.01);
     EXPECT_GE(run.report.smallest_step, 0.2 * step);
     ASSERT_EQ(run.report.warnings.size(), 1U);
-    EXPECT_NE(run.report.warnings[0].find("turn the planes"), std::string::npos) << run.report.warnings[0];
+    EXPECT_NE(run.report.warnings[0].text().find("turn the planes"), std::string::npos) << run.report.warnings[0];
   }
 }
 

@@ -205,7 +205,7 @@ TEST(PassAxes, AxesThatWouldLeanTooFarAreRefusedAndTheRemedyHelps)
   ASSERT_TRUE(smoothPassAxes(over(0.0, 20.0), passes, report).ok());
   EXPECT_LT(report.largest_deviation, 45.0);
   ASSERT_EQ(report.warnings.size(), 1U);
-  EXPECT_EQ(report.warnings[0].find("smoothing and the rate limit turn axes by up to "), 0U);
+  EXPECT_EQ(report.warnings[0].text().find("smoothing and the rate limit turn axes by up to "), 0U);
 }
 
 TEST(PassAxes, WithoutLengthAndRateNothingChanges)

@@ -212,7 +212,7 @@ TEST_F(CloudReader, UnitsAndOriginInDoublePrecision)
   options.unit = LengthUnit::Metre;
   const Scan rounded = readCloud(far, options);
   ASSERT_EQ(rounded.warnings.size(), 1U) << "3.7e9 mm in single precision is a loss of 128 mm";
-  EXPECT_NE(rounded.warnings[0].find("128 mm"), std::string::npos) << rounded.warnings[0];
+  EXPECT_NE(rounded.warnings[0].text().find("128 mm"), std::string::npos) << rounded.warnings[0];
   options.origin = {393775.0, 3689071.0, 3107.0};
   const Scan near = readCloud(far, options);
   EXPECT_TRUE(near.warnings.empty());
@@ -225,7 +225,7 @@ TEST_F(CloudReader, TinyPartsHintAtTheUnit)
 {
   const Scan scan = readCloud(text("a.xyz", "0 0 0\n0.5 0 0\n0 0.5 0\n"));
   ASSERT_EQ(scan.warnings.size(), 1U);
-  EXPECT_NE(scan.warnings[0].find("ReadOptions::unit"), std::string::npos);
+  EXPECT_NE(scan.warnings[0].text().find("ReadOptions::unit"), std::string::npos);
 }
 
 TEST_F(CloudReader, KeepsNotANumberPoints)

@@ -113,13 +113,13 @@ TEST_F(MapCoordinates, OnlyWhereRoundingMattersAndThePartIsSmall)
   const Scan hull = read("0 0 0\n0 60 0\n50 0 0\n60 60 1\n60 0 3\n"); // metres about 0: nothing to gain
   EXPECT_TRUE(hull.shift.isZero());
   ASSERT_EQ(hull.warnings.size(), 1U);
-  EXPECT_NE(hull.warnings[0].find("no origin avoids it"), std::string::npos) << hull.warnings[0];
+  EXPECT_NE(hull.warnings[0].text().find("no origin avoids it"), std::string::npos) << hull.warnings[0];
 
   options_.find_origin = false;
   const Scan rounded = read(textOf(dome(), 1000.0));
   EXPECT_TRUE(rounded.shift.isZero());
   ASSERT_EQ(rounded.warnings.size(), 1U);
-  EXPECT_NE(rounded.warnings[0].find("ReadOptions::find_origin"), std::string::npos) << rounded.warnings[0];
+  EXPECT_NE(rounded.warnings[0].text().find("ReadOptions::find_origin"), std::string::npos) << rounded.warnings[0];
 }
 
 TEST_F(MapCoordinates, InAWrongUnitAreNotAskedForInches)
@@ -128,9 +128,9 @@ TEST_F(MapCoordinates, InAWrongUnitAreNotAskedForInches)
     options_.find_origin = find;
     const Scan scan = read(textOf(dome(), 1000.0));
     ASSERT_FALSE(scan.warnings.empty());
-    EXPECT_NE(scan.warnings.back().find("at map coordinates, which are usually in metres or feet"), std::string::npos);
-    for (const std::string& warning : scan.warnings)
-      EXPECT_EQ(warning.find("metres or inches"), std::string::npos) << warning;
+    EXPECT_NE(scan.warnings.back().text().find("at map coordinates, which are usually in metres or feet"), std::string::npos);
+    for (const pcl_spiral::Diagnostic& warning : scan.warnings)
+      EXPECT_EQ(warning.text().find("metres or inches"), std::string::npos) << warning;
   }
 }
 

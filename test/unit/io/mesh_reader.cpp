@@ -189,7 +189,7 @@ TEST_F(MeshReader, UnitsHintsAndColumns)
 {
   const std::string small = text("a.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0\nf 1 2 3\n");
   ASSERT_EQ(readMesh(small).warnings.size(), 1U);
-  EXPECT_NE(readMesh(small).warnings[0].find("ReadOptions::unit"), std::string::npos);
+  EXPECT_NE(readMesh(small).warnings[0].text().find("ReadOptions::unit"), std::string::npos);
   ReadOptions options;
   options.unit = LengthUnit::Inch;
   EXPECT_TRUE(readMesh(small, options).warnings.empty());

@@ -262,7 +262,7 @@ TEST_F(PolygonCutting, SaysWhatCannotBeCut)
     const MeshFile read = readFace(outline);
     EXPECT_EQ(read.mesh->polygons.size(), 2U);
     ASSERT_EQ(read.warnings.size(), 1U);
-    EXPECT_NE(read.warnings[0].find("face 1 (line 5) can only be cut into triangles that overlap or are flat"), std::string::npos)
+    EXPECT_NE(read.warnings[0].text().find("face 1 (line 5) can only be cut into triangles that overlap or are flat"), std::string::npos)
         << read.warnings[0];
   }
   std::vector<double> radii(20002, 40.0);

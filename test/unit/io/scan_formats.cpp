@@ -246,7 +246,7 @@ TEST_F(ScanFormats, WithheldPointsOfLasAreLeftOutAndCounted)
     ASSERT_EQ(scan.cloud->size(), 2U);
     EXPECT_NEAR((*scan.cloud)[1].z, 1000.0 * scale * records[2][2], 1e-6);
     ASSERT_FALSE(scan.warnings.empty());
-    EXPECT_NE(scan.warnings[0].find("1 of 3 points is flagged withheld and was left out"), std::string::npos) << scan.warnings[0];
+    EXPECT_NE(scan.warnings[0].text().find("1 of 3 points is flagged withheld and was left out"), std::string::npos) << scan.warnings[0];
     las[flags(0)] = las[flags(2)] = las[flags(1)];
     expectProblem("a.las", las, "all of its 3 points are flagged withheld");
   }
@@ -290,10 +290,10 @@ TEST_F(ScanFormats, TextThatLooksLikeDegreesIsWarnedOf)
 {
   const Scan far = read("a.xyz", "11.5000001 48.1000002 500\n11.5000003 48.1000001 500.01\n11.5000002 48.1000004 500.02\n");
   ASSERT_FALSE(far.warnings.empty());
-  EXPECT_NE(far.warnings[0].find("look as if they are degrees"), std::string::npos) << far.warnings[0];
+  EXPECT_NE(far.warnings[0].text().find("look as if they are degrees"), std::string::npos) << far.warnings[0];
   for (const std::string& scan : {"11.5 48.1 0\n11.5 48.1 100\n", "0 0 0\n0.001 0.001 50\n", "50 50 0\n51 52 30\n"})
-    for (const std::string& warning : read("b.xyz", scan).warnings)
-      EXPECT_EQ(warning.find("degrees"), std::string::npos) << warning;
+    for (const pcl_spiral::Diagnostic& warning : read("b.xyz", scan).warnings)
+      EXPECT_EQ(warning.text().find("degrees"), std::string::npos) << warning;
 }
 
 } // namespace scan_formats_test

@@ -173,7 +173,7 @@ TEST_F(UntidyScans, TitlesArePassedOverAndTold)
   const auto expectTold = [this](const std::string& name, const std::string& content, const std::string& words) {
     const Scan scan = expectPoints(name, content);
     ASSERT_EQ(scan.warnings.size(), 1U) << name;
-    EXPECT_NE(scan.warnings[0].find(words), std::string::npos) << scan.warnings[0];
+    EXPECT_NE(scan.warnings[0].text().find(words), std::string::npos) << scan.warnings[0];
   };
   expectTold("a.xyz", "Scan of part 7, 2024-03-01\n" + rows, "line 1: 'Scan of part 7, 2024-03-01' is no point and was passed over");
   expectTold("b.csv", "Export of ScanStudio\nx,y,z\n1.5,-2.25,3\n4,5.5,-6\n0.125,0.001,700.5\n", "line 1: 'Export of ScanStudio'");

@@ -58,9 +58,9 @@ double
 remedyOf(const SpiralReport& report)
 {
   const std::string before = "with a scallop height of ";
-  for (const std::string& warning : report.warnings)
-    if (const std::size_t at = warning.find(before); at != std::string::npos)
-      return std::strtod(warning.c_str() + at + before.size(), nullptr);
+  for (const pcl_spiral::Diagnostic& warning : report.warnings)
+    if (const std::size_t at = warning.text().find(before); at != std::string::npos)
+      return std::strtod(warning.text().c_str() + at + before.size(), nullptr);
   return 0.0;
 }
 

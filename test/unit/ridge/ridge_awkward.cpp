@@ -42,9 +42,10 @@ straight()
 }
 
 bool
-warns(const std::vector<std::string>& warnings, const std::string& words)
+warns(const pcl_spiral::Diagnostics& warnings, const std::string& words)
 {
-  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) { return w.find(words) != std::string::npos; });
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [&](const pcl_spiral::Diagnostic& w) { return w.text().find(words) != std::string::npos; });
 }
 
 Status

@@ -99,12 +99,12 @@ TEST(RidgeLines, OfAProfileThatChangesAreSaidWithPlace)
   EXPECT_GT(report.largest_place.x(), 570.0);
   EXPECT_GT(report.misfit, 0.05);
   ASSERT_FALSE(report.warnings.empty());
-  EXPECT_NE(report.warnings.back().find("the part differs from the surface that the generator sweeps by 0.0"), std::string::npos)
+  EXPECT_NE(report.warnings.back().text().find("the part differs from the surface that the generator sweeps by 0.0"), std::string::npos)
       << report.warnings.back();
   Lines same = linesOf(coarseDie(), roughPointsOfDie(die), 20.0);
   find(same);
-  for (const std::string& warning : same.getReport().warnings)
-    EXPECT_EQ(warning.find("off the surface"), std::string::npos) << warning;
+  for (const pcl_spiral::Diagnostic& warning : same.getReport().warnings)
+    EXPECT_EQ(warning.text().find("off the surface"), std::string::npos) << warning;
 }
 
 TEST(RidgeLines, StrayPointsDoNotMoveThem)

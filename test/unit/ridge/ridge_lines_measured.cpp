@@ -152,7 +152,7 @@ TEST(RidgeLines, ATiltedGeneratorIsSaid)
   const auto warned = madeRidge(die.railPoints(300), tilted(5.0));
   EXPECT_NEAR(warned->report().tilt, 5.0, 0.1);
   ASSERT_EQ(warned->report().warnings.size(), 1u);
-  EXPECT_NE(warned->report().warnings[0].find("is tilted by"), std::string::npos);
+  EXPECT_NE(warned->report().warnings[0].text().find("is tilted by"), std::string::npos);
   refused(die.railPoints(300), tilted(16.0), "is tilted by 16");
 }
 

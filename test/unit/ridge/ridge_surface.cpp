@@ -163,7 +163,7 @@ TEST(RidgeSurface, TheRailMayBeAsSteepAsTheChordLets)
   ASSERT_TRUE(surface);
   ASSERT_EQ(surface->report().warnings.size(), 1u);
   EXPECT_NEAR(surface->report().slope_factor, 9.7, 0.1);
-  EXPECT_NE(surface->report().warnings[0].find("times that error"), std::string::npos) << surface->report().warnings[0];
+  EXPECT_NE(surface->report().warnings[0].text().find("times that error"), std::string::npos) << surface->report().warnings[0];
   EXPECT_LT(offOf(*surface, steep).largest, 1e-3);
   steep = rising(60.5 * degree);
   steep.rail = [rail = steep.rail](double t) { return rail(std::min(t, 0.999999)); };

@@ -290,8 +290,9 @@ TEST_P(ClusterRide, ReportsWhatStays)
     EXPECT_LT((place.place - onDome(thing.x, thing.y)).norm(), thing.side);
   }
   const auto& warnings = made.report.warnings;
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
-    return text.find("the ball rides over clusters of points at 2 places: it stays above the surface there and leaves up to 5.9") == 0;
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const pcl_spiral::Diagnostic& text) {
+    return text.text().find("the ball rides over clusters of points at 2 places: it stays above the surface there and leaves up to 5.9") ==
+           0;
   }));
 }
 
@@ -339,8 +340,9 @@ TEST_P(ClusterRide, IsJudgedByWhatItMustRideOver)
   EXPECT_LT(r.scallop.max.value, 1.6 * scallop);
   EXPECT_EQ(r.stock.uncut + r.rim.uncut, 0U);
   EXPECT_GT(r.unreached.samples, 100U);
-  EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& text) {
-    return text.find("2 clusters of points stand off the surface: ") == 0 && text.find("the ball must ride over") != std::string::npos;
+  EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(), [](const pcl_spiral::Diagnostic& text) {
+    return text.text().find("2 clusters of points stand off the surface: ") == 0 &&
+           text.text().find("the ball must ride over") != std::string::npos;
   }));
 }
 

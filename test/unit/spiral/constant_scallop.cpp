@@ -127,7 +127,8 @@ TEST(ConstantScallop, BeginsAtTheRimNearThePlaceAskedFor)
     EXPECT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
     EXPECT_LT(checkedRim(path.front()), 1.0);
     const auto& warnings = generator.getReport().warnings;
-    warned = std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) { return w.find("start point") != std::string::npos; });
+    warned = std::any_of(warnings.begin(), warnings.end(),
+                         [](const pcl_spiral::Diagnostic& w) { return w.text().find("start point") != std::string::npos; });
     return (path.front().getVector3fMap().cast<double>() - place).norm();
   };
   bool warned = false, unused = false;

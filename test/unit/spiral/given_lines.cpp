@@ -105,10 +105,11 @@ TEST(GivenLines, NoiseIsToldAsWithoutThem)
       spiral.setRadialLines(part.lines);
     Path path;
     spiral.compute(path);
-    const std::vector<std::string>& warnings = spiral.getReport().warnings;
-    EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
-                            [](const std::string& w) { return w.find("is below the noise of the scan") != std::string::npos; }),
-              1)
+    const pcl_spiral::Diagnostics& warnings = spiral.getReport().warnings;
+    EXPECT_EQ(
+        std::count_if(warnings.begin(), warnings.end(),
+                      [](const pcl_spiral::Diagnostic& w) { return w.text().find("is below the noise of the scan") != std::string::npos; }),
+        1)
         << given;
   }
 }

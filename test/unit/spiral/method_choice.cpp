@@ -118,7 +118,7 @@ TEST(MethodChoice, AFailedRadialMethodIsPutBackForConstantScallop)
   EXPECT_EQ(report.method, before.method);
   EXPECT_EQ(report.stages.size(), 1U);
   ASSERT_EQ(report.warnings.size(), 2U);
-  EXPECT_NE(report.warnings[1].find("no radial lines were found"), std::string::npos) << report.warnings[1];
+  EXPECT_NE(report.warnings[1].text().find("no radial lines were found"), std::string::npos) << report.warnings[1];
 }
 
 } // namespace

@@ -262,8 +262,8 @@ TEST(PathTurns, RadialTurnsIntoSharpCornersOfTheOutlineAreNamed)
   ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
   EXPECT_GT(generator.getReport().reversals, 0u);
   bool named = false;
-  for (const std::string& warning : generator.getReport().warnings)
-    named = named || (warning.find("turns back") != std::string::npos && warning.find("setMethod") != std::string::npos);
+  for (const pcl_spiral::Diagnostic& warning : generator.getReport().warnings)
+    named = named || (warning.text().find("turns back") != std::string::npos && warning.text().find("setMethod") != std::string::npos);
   EXPECT_TRUE(named);
   expectRemedyWorks(generator);
 }
@@ -304,8 +304,8 @@ TEST(PathTurns, LeastLengthIsTheSameForBothMethods)
     least.push_back(report.least_length);
     EXPECT_NEAR(report.efficiency, report.least_length / report.path_length, 1e-12);
     bool warned = false;
-    for (const std::string& warning : report.warnings)
-      warned = warned || warning.find("times as long as the least") != std::string::npos;
+    for (const pcl_spiral::Diagnostic& warning : report.warnings)
+      warned = warned || warning.text().find("times as long as the least") != std::string::npos;
     EXPECT_EQ(warned, report.efficiency < 0.8);
     EXPECT_EQ(warned, method == SpiralMethod::Radial); // turns of an ellipse bunch at its flanks
   }

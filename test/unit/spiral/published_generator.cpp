@@ -61,7 +61,7 @@ bool
 warnsOf(const SpiralReport& report, const std::string& words)
 {
   return std::any_of(report.warnings.begin(), report.warnings.end(),
-                     [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+                     [&](const pcl_spiral::Diagnostic& warning) { return warning.text().find(words) != std::string::npos; });
 }
 
 TEST(PublishedGenerator, MarksWhatLiesOverAHole)

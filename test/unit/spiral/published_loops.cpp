@@ -83,11 +83,10 @@ TEST(PublishedLoops, WalkEndsAtACornerSharperThanItsTurn)
   const Status status = publishedLoops(graph, options, loops);
   EXPECT_EQ(status.code(), StatusCode::Failed);
   EXPECT_TRUE(loops.empty());
-  double x = 0.0, y = 0.0;
-  const std::size_t place = status.message().find('(');
-  ASSERT_EQ(std::sscanf(status.message().c_str() + place, "( %lf %lf", &x, &y), 2) << status.message();
-  EXPECT_EQ(std::abs(x), 30.0);
-  EXPECT_EQ(std::abs(y), 30.0);
+  const std::vector<Eigen::Vector3d> places = status.diagnostic().places();
+  ASSERT_EQ(places.size(), 1u) << status.message();
+  EXPECT_EQ(std::abs(places[0].x()), 30.0);
+  EXPECT_EQ(std::abs(places[0].y()), 30.0);
 }
 
 TEST(PublishedLoops, WalkLosesItselfInTheBandOfARandomCloud)

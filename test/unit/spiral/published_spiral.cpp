@@ -222,8 +222,8 @@ TEST(PublishedSpiral, WarnsWhereTheCutterGouges)
     PublishedResult result;
     const Status status = planPublishedWithin(graph, loops, cutter(radius, 0.5), {}, result);
     ASSERT_TRUE(status.ok()) << status.message();
-    const bool warned = std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& warning) {
-      return warning.find("the cutter gouges there") != std::string::npos;
+    const bool warned = std::any_of(result.warnings.begin(), result.warnings.end(), [](const pcl_spiral::Diagnostic& warning) {
+      return warning.text().find("the cutter gouges there") != std::string::npos;
     });
     EXPECT_EQ(warned, radius > 130.0);
   }

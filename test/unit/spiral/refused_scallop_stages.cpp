@@ -87,9 +87,9 @@ TEST(RefusedScallopStages, ABallLargerThanTheScanIsAWarning)
   StepOverDistance::ConstPtr made;
   distances.compute(made);
   EXPECT_TRUE(made) << distances.getStatus().message();
-  const std::vector<std::string>& warnings = distances.getWarnings();
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
-    return w.find("less than the tool radius 500 mm: if it is in metres or inches, scale it to mm") != std::string::npos;
+  const pcl_spiral::Diagnostics& warnings = distances.getWarnings();
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const pcl_spiral::Diagnostic& w) {
+    return w.text().find("less than the tool radius 500 mm: if it is in metres or inches, scale it to mm") != std::string::npos;
   }));
 }
 

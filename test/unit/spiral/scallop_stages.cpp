@@ -131,7 +131,7 @@ composed(const Cloud::ConstPtr& cloud, const SpiralSettings& s)
   GapFigures gaps;
   EXPECT_TRUE(putOnSurface(curve, *by_hand.surface, s, longest, {}, by_hand.path, gaps).ok());
   AxisFigures axes;
-  std::vector<std::string> warnings;
+  pcl_spiral::Diagnostics warnings;
   EXPECT_TRUE(setToolAxes(s, by_hand.path, axes, warnings).ok());
   PathFigures figures;
   EXPECT_TRUE(checkPath(by_hand.path, s, longest, {}, figures).ok());

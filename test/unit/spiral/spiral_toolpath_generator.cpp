@@ -259,8 +259,8 @@ TEST(SpiralToolpathGenerator, WarnsWhereTheSurfaceTurnsTheAxisTooFast)
     spiral.compute(path);
     ASSERT_TRUE(spiral.getStatus().ok()) << spiral.getStatus().message();
     bool warned = false;
-    for (const std::string& warning : spiral.getReport().warnings)
-      warned = warned || warning.find("axis rate") != std::string::npos;
+    for (const pcl_spiral::Diagnostic& warning : spiral.getReport().warnings)
+      warned = warned || warning.text().find("axis rate") != std::string::npos;
     EXPECT_EQ(warned, share < 1.0);
   }
 }

@@ -105,7 +105,7 @@ composed(const Cloud::ConstPtr& cloud, const SpiralSettings& s)
   GapFigures gaps;
   EXPECT_TRUE(putOnSurface(turns.curve, *by_hand.surface, s, turns.largest_allowed_step, {}, by_hand.path, gaps).ok());
   AxisFigures axes;
-  std::vector<std::string> warnings;
+  pcl_spiral::Diagnostics warnings;
   EXPECT_TRUE(setToolAxes(s, by_hand.path, axes, warnings).ok());
   PathFigures figures;
   EXPECT_TRUE(checkPath(by_hand.path, s, turns.largest_allowed_step, {}, figures).ok());

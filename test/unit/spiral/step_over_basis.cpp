@@ -137,7 +137,7 @@ TEST_F(StepOverBasisTest, WhatAFailedStageLeftIsRefused)
   GapFigures gaps;
   AxisFigures axes;
   PathFigures figures;
-  std::vector<std::string> warnings;
+  pcl_spiral::Diagnostics warnings;
   for (const Status& status : {linkLoops({}, linked), samplePath(linked, *surface_, settings, curve, longest),
                                putOnSurface(curve, *surface_, settings, 1.0, {}, path, gaps), setToolAxes(settings, path, axes, warnings),
                                checkPath(path, settings, 1.0, {}, figures)})

@@ -147,8 +147,9 @@ TEST_P(TightRide, OverAValleyNeverGouges)
     EXPECT_LT(over, 0.005 + 0.015 + 4.0 * noise);
     EXPECT_TRUE(pathOver(part.scan(0.5, noise, 11), GetParam(), made.report.fitting_radius).report.tight_places.empty());
     ASSERT_FALSE(made.report.warnings.empty());
-    EXPECT_TRUE(std::any_of(made.report.warnings.begin(), made.report.warnings.end(),
-                            [](const std::string& text) { return text.find("the ball does not reach 1 place:") != std::string::npos; }));
+    EXPECT_TRUE(std::any_of(made.report.warnings.begin(), made.report.warnings.end(), [](const pcl_spiral::Diagnostic& text) {
+      return text.text().find("the ball does not reach 1 place:") != std::string::npos;
+    }));
   }
 }
 

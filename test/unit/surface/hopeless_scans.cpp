@@ -182,9 +182,9 @@ TEST(HopelessScans, NoiseOfAnotherPartIsNotThatOfThePart)
 
 TEST(HopelessScans, NoRemedySmoothsMoreThanEightSpacings)
 {
-  EXPECT_NE(smoothingRemedy(0.39, 1.0).find("pcl_mls_smoothing in.pcd out.pcd -radius 7.8"), std::string::npos);
+  EXPECT_NE(smoothingRemedy(0.39, 1.0).text().find("pcl_mls_smoothing in.pcd out.pcd -radius 7.8"), std::string::npos);
   for (const double noise : {0.41, 1.0, 5.0}) {
-    const std::string remedy = smoothingRemedy(noise, 1.0);
+    const std::string remedy = smoothingRemedy(noise, 1.0).text();
     EXPECT_EQ(remedy.find("pcl_mls_smoothing"), std::string::npos) << remedy;
     EXPECT_EQ(remedy.find("radius"), std::string::npos) << remedy;
     for (const char* words : {"folds", "scan more densely", "(setCrop)", "one sheet at a time"})

@@ -53,8 +53,8 @@ run(const std::vector<Vector3d>& points)
   spiral.setScallopHeight(0.1);
   spiral.compute(result.path);
   result.status = spiral.getStatus();
-  for (const std::string& warning : spiral.getReport().warnings)
-    result.warnings += warning + "\n";
+  for (const pcl_spiral::Diagnostic& warning : spiral.getReport().warnings)
+    result.warnings += warning.text() + "\n";
   return result;
 }
 

@@ -89,7 +89,7 @@ TEST(ScanVoids, ThePathOverANarrowHoleIsMarkedAndReported)
     EXPECT_EQ(wrong, 0u);
     ASSERT_EQ(generator.getReport().holes.size(), 1u);
     EXPECT_EQ(generator.getReport().holes[0].handling, HoleHandling::Over);
-    EXPECT_NE(generator.getReport().warnings.back().find("marked"), std::string::npos);
+    EXPECT_NE(generator.getReport().warnings.back().text().find("marked"), std::string::npos);
   }
 }
 

@@ -72,8 +72,8 @@ TEST(DeviationEstimation, AnotherPartIsAskedForOnlyWhereMostPointsHaveNoSurface)
     ASSERT_TRUE(m.status.ok()) << m.status.message();
     EXPECT_EQ(m.figures.unmeasured, lifted);
     std::string said;
-    for (const std::string& warning : m.figures.warnings)
-      said += warning;
+    for (const pcl_spiral::Diagnostic& warning : m.figures.warnings)
+      said += warning.text();
     EXPECT_EQ(said.find("another part") != std::string::npos, share > 0.5) << said;
     EXPECT_EQ(said.find("cannot be judged there") != std::string::npos, share < 0.5) << said;
   }
@@ -182,7 +182,7 @@ TEST(DeviationEstimation, ReversedNormalsAreToldAndPlaced)
   m = measured(sampleUniform(*surface, 20000, 1), path);
   EXPECT_EQ(m.figures.opposed, path.size());
   ASSERT_EQ(m.figures.warnings.size(), 1u);
-  EXPECT_NE(m.figures.warnings[0].find("reversed"), std::string::npos);
+  EXPECT_NE(m.figures.warnings[0].text().find("reversed"), std::string::npos);
 }
 
 TEST(DeviationEstimation, NoiseIsMeasuredAndWhatItHidesIsSaid)
@@ -197,8 +197,8 @@ TEST(DeviationEstimation, NoiseIsMeasuredAndWhatItHidesIsSaid)
   // The path is on the exact surface: all its deviation is noise of the fit, as predicted.
   EXPECT_NEAR(m.figures.rms, m.figures.fit_noise, 0.25 * m.figures.fit_noise);
   ASSERT_EQ(m.figures.warnings.size(), 1u);
-  EXPECT_NE(m.figures.warnings[0].find("chord error asked for, 0.005"), std::string::npos);
-  EXPECT_NE(m.figures.warnings[0].find("cannot show"), std::string::npos);
+  EXPECT_NE(m.figures.warnings[0].text().find("chord error asked for, 0.005"), std::string::npos);
+  EXPECT_NE(m.figures.warnings[0].text().find("cannot show"), std::string::npos);
   EXPECT_TRUE(measured(scan, path, 0.05).figures.warnings.empty());
 }
 
@@ -243,7 +243,7 @@ TEST(DeviationEstimation, AGapOfTheScanIsNotJudged)
   EXPECT_NEAR(m.figures.gap_max.value, -0.05, 0.005);
   EXPECT_LT(std::abs(m.figures.max.value), 0.002);
   ASSERT_EQ(m.figures.warnings.size(), 1u);
-  EXPECT_NE(m.figures.warnings[0].find("gaps of the scan"), std::string::npos);
+  EXPECT_NE(m.figures.warnings[0].text().find("gaps of the scan"), std::string::npos);
   const Measured whole = measured(scan, path); // if the scan shows the place, the fault counts
   EXPECT_EQ(whole.figures.in_gaps, 0u);
   EXPECT_NEAR(whole.figures.max.value, -0.05, 0.005);

@@ -219,7 +219,7 @@ TEST(MaterialRemoval, ReversedNormalsGougeByTheWholeBall)
   const auto f = measured(*surface, path, 2000);
   EXPECT_NEAR(f.gouge.value, 2.0 * R, 1e-3);
   ASSERT_EQ(f.warnings.size(), 1u);
-  EXPECT_NE(f.warnings[0].find("normals"), std::string::npos);
+  EXPECT_NE(f.warnings[0].text().find("normals"), std::string::npos);
 }
 
 TEST(MaterialRemoval, APathThatIsAllTooDeepLeavesNoRidge)

@@ -110,11 +110,11 @@ valley(double x, double)
 
 /** All warnings in one text. */
 std::string
-all(const std::vector<std::string>& warnings)
+all(const pcl_spiral::Diagnostics& warnings)
 {
   std::string text;
-  for (const std::string& warning : warnings)
-    text += warning + "\n";
+  for (const pcl_spiral::Diagnostic& warning : warnings)
+    text += warning.text() + "\n";
   return text;
 }
 

@@ -65,7 +65,7 @@ TEST(RawScan, AFoldThatSmoothingTookIsFoundAtItsPlace)
   EXPECT_NEAR(f.mean.position.z(), f.mean.value, 1e-3);
   EXPECT_NEAR(f.p99, 2.0, 0.1);
   EXPECT_EQ(f.means.size(), f.points);
-  const std::string text = smoothingText(f, "raw.pcd");
+  const std::string text = smoothingText(f, "raw.pcd").text();
   EXPECT_NE(text.find("the shape was changed there"), std::string::npos) << text;
   EXPECT_NE(text.find("1 point has no smoothed surface near"), std::string::npos) << text;
 }

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -21,11 +23,12 @@ enum class StatusCode {
   Cancelled        ///< the progress callback asked to stop
 };
 
-/** Result of the last compute: a code, and a message with the fault, the place and the remedy. */
+/** Result of the last compute: a code, and a diagnostic with the fault, the place and the remedy. */
 class Status {
 public:
-  Status() = default;                                                                         ///< Not computed.
-  Status(StatusCode code, std::string message) : code_(code), message_(std::move(message)) {} ///< A result with its message.
+  Status() = default; ///< Not computed.
+  /** A result with what is said of it. */
+  Status(StatusCode code, Diagnostic diagnostic) : code_(code), diagnostic_(std::move(diagnostic)), message_(diagnostic_.text()) {}
 
   static Status success() { return Status(StatusCode::Ok, "done"); } ///< Done.
   /** The status while a computation runs, and after an exception has left it. */
@@ -37,12 +40,15 @@ public:
 
   bool ok() const { return code_ == StatusCode::Ok; } ///< Whether the computation succeeded.
   StatusCode code() const { return code_; }           ///< Why it ended.
-  /** The fault, the place and value, and the remedy; one or more sentences. */
+  /** The fault, the place and value, and the remedy, as data. */
+  const Diagnostic& diagnostic() const { return diagnostic_; }
+  /** The text of diagnostic(), in the words of C++; one or more sentences. */
   const std::string& message() const { return message_; }
 
 private:
   StatusCode code_ = StatusCode::NotComputed;
-  std::string message_ = "compute has not been called";
+  Diagnostic diagnostic_ = "compute has not been called";
+  std::string message_ = diagnostic_.text();
 };
 
 /** Called with the share done, 0 to 1, and the name of the stage. Return false to cancel. Called from one thread only. */

@@ -4,10 +4,11 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <Eigen/Core>
 
 #include <optional>
-#include <string>
 
 namespace pcl_spiral {
 
@@ -33,7 +34,7 @@ struct CutterShape {
 };
 
 /** The fault of a shape, with the value and the remedy; empty if the shape is a valid cutter. */
-std::string faultOf(const CutterShape& shape);
+Diagnostic faultOf(const CutterShape& shape);
 
 /** Part of a cutter's profile. */
 enum class CutterPart {

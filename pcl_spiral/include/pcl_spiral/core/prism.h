@@ -4,9 +4,10 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <Eigen/Core>
 
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -32,16 +33,16 @@ public:
 
   const Eigen::Vector3d& axis() const { return axis_; } ///< As a unit vector.
   /** Empty, or what is wrong with the polygon: fewer than three different corners, no area, or sides that cross, with the place. */
-  const std::string& fault() const { return fault_; }
+  const Diagnostic& fault() const { return fault_; }
 
 private:
   Eigen::Vector2d flat(const Eigen::Vector3d& place) const { return {across_[0].dot(place), across_[1].dot(place)}; }
-  std::string findFault(const std::vector<Eigen::Vector3d>& corners) const;
+  Diagnostic findFault(const std::vector<Eigen::Vector3d>& corners) const;
 
   Eigen::Vector3d axis_;
   Eigen::Vector3d across_[2];            ///< unit vectors square to the axis and to each other
   std::vector<Eigen::Vector2d> corners_; ///< along them
-  std::string fault_;
+  Diagnostic fault_;
 };
 
 /** Area of the polygon through \p corners as a vector along its mean normal (Newell 1972), mm2. */

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <string>
 #include <vector>
 
@@ -32,7 +34,7 @@ struct ToolSegment {
 
 /** The fault of the segments, which are listed from the cutter upwards: which one, the value and the remedy; empty if
  * there is none. */
-std::string faultOf(const std::vector<ToolSegment>& segments);
+Diagnostic faultOf(const std::vector<ToolSegment>& segments);
 
 /** A stack of segments above a cutter, enlarged by a clearance: to the sides, and downwards where a lower face
  * is wider than what is below it. */

@@ -13,8 +13,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace pcl_spiral {
 
@@ -102,7 +100,7 @@ struct DriveReport {
   std::size_t axes_from_neighbours = 0; ///< points without a normal of their own: interpolated between those before and after
   std::size_t short_pieces = 0;         ///< left out: sections or lines shorter than the spacing of the scan, at its rim
   std::size_t stray_points = 0;         ///< outliers of the scan, left out: off the surface
-  std::vector<std::string> warnings;    ///< in full sentences, with the remedy
+  Diagnostics warnings;                 ///< in full sentences, with the remedy
 };
 
 } // namespace pcl_spiral

@@ -14,7 +14,6 @@
 #include <pcl/point_types.h>
 
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -80,19 +79,19 @@ public:
 
 private:
   /** A position, or the point of the cloud at an index. */
-  struct Place {
+  struct GivenPlace {
     Eigen::Vector3d position = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     bool by_index = false;
     pcl::index_t index = 0;
   };
   Status check() const;
-  Status checkPlace(const Place& place, const std::string& name) const;
-  Eigen::Vector3d positionOf(const Place& place) const;
+  Status checkPlace(const GivenPlace& place, const Diagnostic& name) const;
+  Eigen::Vector3d positionOf(const GivenPlace& place) const;
   Status run();
 
   using pcl::PCLBase<PointT>::input_;
-  Place source_;
-  std::vector<Place> targets_;
+  GivenPlace source_;
+  std::vector<GivenPlace> targets_;
   GeodesicStart start_ = GeodesicStart::Field;
   RefinementOptions options_;
   int fit_neighbours_ = 0;

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -60,7 +62,7 @@ struct Scan {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud;       ///< never null
   pcl::PointCloud<pcl::Normal>::Ptr normals;       ///< normals in the file, one per point, zero for none; null: the file has none
   std::optional<Eigen::Vector3d> view_point;       ///< VIEWPOINT of a .pcd, mm; the default 0 0 0 only of a camera's image
-  std::vector<std::string> warnings;               ///< what the reader found and did not change
+  Diagnostics warnings;                            ///< what the reader found and did not change
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< mm, whole: subtracted by ReadOptions::find_origin; zero: nothing
 };
 

@@ -4,8 +4,11 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace pcl_spiral {
 
@@ -14,7 +17,15 @@ namespace pcl_spiral {
 class FileError : public std::runtime_error {
 public:
   /** \p reason with its place and remedy, after the name of the \p file. */
-  FileError(const std::string& file, const std::string& reason) : std::runtime_error(file + ": " + reason) {}
+  FileError(const std::string& file, const Diagnostic& reason) : FileError(Diagnostic(file, ": ", reason)) {}
+
+  /** The whole message, with the name of the file. */
+  explicit FileError(Diagnostic diagnostic) : std::runtime_error(diagnostic.text()), diagnostic_(std::move(diagnostic)) {}
+
+  const Diagnostic& diagnostic() const { return diagnostic_; } ///< What what() says, as data.
+
+private:
+  Diagnostic diagnostic_;
 };
 
 } // namespace pcl_spiral

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/cloud_reader.h>
 
 #include <pcl/PolygonMesh.h>
@@ -16,7 +17,7 @@ namespace pcl_spiral {
 struct MeshFile {
   pcl::PolygonMesh::Ptr mesh;                      ///< triangles over points x y z
   std::size_t polygons = 0;                        ///< faces of more than three corners; they were cut into triangles
-  std::vector<std::string> warnings;               ///< what the reader found and did not change
+  Diagnostics warnings;                            ///< what the reader found and did not change
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< mm, see Scan::shift
 };
 

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/machine/machine_program.h>
 
 #include <array>
@@ -61,14 +62,14 @@ struct ProgramHeader {
 
 /** Why \p code cannot be a line of its own, with the remedy: it is not one line of
  *  plain characters, it opens a comment, or it ends the program. Empty if it can. */
-std::string faultOfCode(const std::string& code);
+Diagnostic faultOfCode(const std::string& code);
 
 /** The same for a line of ShopLines, which may be a comment and may hold names in braces. */
-std::string faultOfShopLine(const std::string& line);
+Diagnostic faultOfShopLine(const std::string& line);
 
 /** Why \p offset is no work offset of the language, with the remedy; empty if it is one. LinuxCNC: G54 to G59.3; Fanuc: G54 to G59, G54.1
  *  P1 to P300; Siemens: G54 to G57, G505 to G599; Heidenhain: the number of a preset. */
-std::string faultOfOffset(Dialect dialect, const std::string& offset);
+Diagnostic faultOfOffset(Dialect dialect, const std::string& offset);
 
 /** Writes a program in the language of \p dialect. Its order is the same in all: units and plane, the shop's header, retract, tool,
  *  spindle, coolant, work offset, smoothing, rotary axes to their first angles, over the first point, tip control, the blocks; tip control

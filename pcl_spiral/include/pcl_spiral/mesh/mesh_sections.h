@@ -6,12 +6,12 @@
 
 #include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -57,7 +57,7 @@ struct SectionReport {
   std::size_t links = 0;         ///< rows joined on the surface
   std::size_t rows_apart = 0;    ///< passes of rows that could not be joined to the row before
   double length = 0.0;           ///< of all passes, mm
-  std::vector<std::string> warnings; ///< in full sentences, with the remedy
+  Diagnostics warnings;          ///< in full sentences, with the remedy
 };
 
 /** Contacts in passes along the sections of a mesh with parallel planes, each with the normal of the surface, as

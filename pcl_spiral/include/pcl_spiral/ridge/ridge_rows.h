@@ -9,8 +9,6 @@
 #include <pcl_spiral/ridge/ridge_surface.h>
 
 #include <cstddef>
-#include <string>
-#include <vector>
 
 namespace pcl_spiral {
 
@@ -49,11 +47,11 @@ struct RidgeRowSettings {
 
 /** Report of rows. Lengths in mm. */
 struct RidgeRowReport {
-  std::size_t rows = 0;              ///< number of rows
-  std::size_t points = 0;            ///< of all rows
-  double length = 0.0;               ///< of all rows
-  double largest_step = 0.0;         ///< between neighbouring rows
-  std::vector<std::string> warnings; ///< in full sentences, with the remedy
+  std::size_t rows = 0;      ///< number of rows
+  std::size_t points = 0;    ///< of all rows
+  double length = 0.0;       ///< of all rows
+  double largest_step = 0.0; ///< between neighbouring rows
+  Diagnostics warnings;      ///< in full sentences, with the remedy
 };
 
 /** Rows over \p surface. The outermost rows are half a step-over from the edges of the ridge. On a closed rail, rows along it are closed,

@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -57,9 +56,9 @@ struct RidgeReport {
   double tilt = 0.0;                                        ///< angle between the plane of the generator and the normal plane of the rail
   double largest_slope = 0.0;                               ///< of the rail against the reference plane, and its place
   Eigen::Vector3d steepest_place = Eigen::Vector3d::Zero(); ///< where the slope is largest
-  double slope_factor = 0.0;         ///< the largest: an error of the slope turns the chord by this many times as much
-  double least_stretch = 1.0;        ///< of the surface along the rail, 1 + omega2 c - omega3 b; 0 where it folds
-  std::vector<std::string> warnings; ///< in full sentences, with the remedy
+  double slope_factor = 0.0;  ///< the largest: an error of the slope turns the chord by this many times as much
+  double least_stretch = 1.0; ///< of the surface along the rail, 1 + omega2 c - omega3 b; 0 where it folds
+  Diagnostics warnings;       ///< in full sentences, with the remedy
 };
 
 /** What RidgeLines found in a scan. Lengths in mm. */
@@ -76,7 +75,7 @@ struct ScanRidgeReport {
   double largest_misfit = 0.0; ///< largest median of small cells of the surface, so that noise has little effect on it
   Eigen::Vector3d largest_place = Eigen::Vector3d::Zero(); ///< middle of that cell
   Polyline crest;                                          ///< where the larger curvature is largest; the search begins with it
-  std::vector<std::string> warnings;                       ///< in full sentences, with the remedy
+  Diagnostics warnings;                                    ///< in full sentences, with the remedy
 };
 
 /** The surface S(u, v) = L(u) + a(v) m1 + b(v) m2 + c(v) m3: rail L, frame m1, m2, m3 of equation (1) (\see

@@ -4,11 +4,11 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 #include <pcl_spiral/surface/surface_input.h>
 
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -24,10 +24,10 @@ struct BridgedGap {
 
 /** A surface with its gaps bridged, and what was guessed for that. */
 struct BridgedSurface {
-  Surface::ConstPtr surface;         ///< the given one if there is nothing to bridge
-  std::vector<BoundaryLoop> loops;   ///< the rim (Outer), the hole that is kept, if any (Inner), gaps that were not filled (ScanGap)
-  std::vector<BridgedGap> gaps;      ///< with the patch put into each
-  std::vector<std::string> warnings; ///< one per gap
+  Surface::ConstPtr surface;       ///< the given one if there is nothing to bridge
+  std::vector<BoundaryLoop> loops; ///< the rim (Outer), the hole that is kept, if any (Inner), gaps that were not filled (ScanGap)
+  std::vector<BridgedGap> gaps;    ///< with the patch put into each
+  Diagnostics warnings;            ///< one per gap
 };
 
 /** Where loops come from. */
@@ -95,7 +95,7 @@ public:
 
   /** What the last compute put into each gap. */
   const std::vector<BridgedGap>& getGaps() const { return gaps_; }
-  const std::vector<std::string>& getWarnings() const { return warnings_; } ///< Warnings of the last compute, one per gap.
+  const Diagnostics& getWarnings() const { return warnings_; } ///< Warnings of the last compute, one per gap.
 
 private:
   Status run(BridgedSurface& bridged);
@@ -104,7 +104,7 @@ private:
   HoleOptions options_;
   ProgressCallback progress_;
   std::vector<BridgedGap> gaps_;
-  std::vector<std::string> warnings_;
+  Diagnostics warnings_;
 };
 
 } // namespace pcl_spiral

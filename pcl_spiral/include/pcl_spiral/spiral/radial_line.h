@@ -5,11 +5,11 @@
 #pragma once
 
 #include <pcl_spiral/core/bspline_fit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/surface/surface_foot.h>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -35,7 +35,7 @@ struct RadialLineSet {
   std::vector<RadialLine> lines;                    ///< counter-clockwise along the rim
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< one boundary only
   bool harmonic = false;                            ///< the fallback made them
-  std::string why_harmonic;                         ///< reason of the fallback; empty without it
+  Diagnostic why_harmonic;                          ///< reason of the fallback; empty without it
   Polyline rim;                                     ///< closed, from line 0's end
   std::vector<std::size_t> rim_corners;             ///< entries of rim where it turns sharply
   Polyline inner;                                   ///< closed, from line 0's start; empty with one boundary

@@ -14,7 +14,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -90,7 +89,7 @@ public:
   const Eigen::Vector3d& getCenter() const { return set_.centre; }
   /** True if the lines of the last compute are those of the harmonic function; if it was the fallback, the reason. */
   bool usedHarmonic() const { return set_.harmonic; }
-  const std::string& getWhyHarmonic() const { return set_.why_harmonic; } ///< Reason of the fallback; empty without it.
+  const Diagnostic& getWhyHarmonic() const { return set_.why_harmonic; } ///< Reason of the fallback; empty without it.
   /** Largest error, mm, of a turn between neighbouring lines of the last compute; measured. */
   double getInterpolationError() const { return set_.largest_interpolation_error; }
   /** The rim of the last compute, closed, from the end of line 0. */

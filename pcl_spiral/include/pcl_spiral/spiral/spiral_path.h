@@ -12,7 +12,6 @@
 #include <pcl_spiral/surface/surface.h>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -42,7 +41,7 @@ struct SpiralTurns {
   double largest_allowed_step = 0.0; ///< longest linear move
   double least_length = 0.0;         ///< lower bound for the length of any path at this scallop height
   CornerRidge corner_ridge;          ///< the highest ridge left at corners
-  std::vector<std::string> warnings; ///< in full sentences, with the remedy
+  Diagnostics warnings;              ///< in full sentences, with the remedy
 };
 
 /** Turns between \p lines at the step-over that \p settings define (TurnFunction), drawn as one curve (SpiralCurve).
@@ -132,7 +131,7 @@ Status putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surfac
 /** Tool axes of \p path: tilted, smoothed, limited to the largest rate. Beside \p obstacles, points that the ball rides over, the tool
  *  leans less if its shank, shank_radii long, would enter them otherwise; a fixed axis stays. Fails where the axis would lie in the
  *  surface. */
-Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings,
+Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, Diagnostics& warnings,
                    const std::vector<Eigen::Vector3f>& obstacles = {});
 
 /** Reversals and closest turns of \p path. The first and the last turn of each pass do not count: they run about the centre or along a

@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/collision/surroundings.h>
 #include <pcl_spiral/common/impl/stage_clock.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -14,7 +15,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -102,7 +102,7 @@ struct SpiralReport {
   double largest_axis_deviation = 0.0; ///< degrees between an axis and the requested tilt
   std::size_t deviating_points = 0;    ///< number with a deviation above SpiralSettings::axis_deviation
   std::vector<StageCost> stages;       ///< in the order they ran
-  std::vector<std::string> warnings;   ///< in full sentences, with the remedy
+  Diagnostics warnings;                ///< in full sentences, with the remedy
 };
 
 } // namespace pcl_spiral

@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -83,7 +82,8 @@ public:
     OuterSide side;                        ///< see side()
     std::vector<StandingCluster> clusters; ///< see clusters()
     std::vector<Eigen::Vector3f> isolated; ///< see isolatedPoints()
-    std::vector<std::string> warnings;     ///< see warnings()
+    Diagnostic kept_part;                  ///< see keptPart()
+    Diagnostics warnings;                  ///< see warnings()
   };
   explicit Surface(Parts parts);    ///< Takes the parts and fits the surface to them.
   Surface(const Surface&) = delete; // the fit refers to the graph
@@ -131,8 +131,10 @@ public:
   std::vector<Eigen::Vector3f> riddenPoints() const;
   /** Single points off the surface that were left out, in no cluster: false echoes, or the edge of a step too low for the scan. */
   const std::vector<Eigen::Vector3f>& isolatedPoints() const { return parts_.isolated; }
-  /** Which points were left out and whether the side is guessed, as text: first which of several parts was kept, if one was. */
-  const std::vector<std::string>& warnings() const { return parts_.warnings; }
+  /** Which of several parts was kept, and where the others are; empty if there is one. */
+  const Diagnostic& keptPart() const { return parts_.kept_part; }
+  /** Which points were left out, with keptPart(), and whether the side is guessed. */
+  const Diagnostics& warnings() const { return parts_.warnings; }
 
 private:
   friend void dropTriangulation(const ConstPtr& surface);

@@ -4,14 +4,12 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/search/impl/usable_points.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <pcl/console/print.h>
-
-#include <string>
 
 namespace pcl_spiral {
 
@@ -101,7 +99,7 @@ protected:
   Status checkInput() const
   {
     if (!given_surface_ && (!this->input_ || this->input_->empty()))
-      return {StatusCode::InvalidInput, "the input cloud is missing or empty: call setInputCloud with points, or setInputSurface"};
+      return {StatusCode::InvalidInput, "the input cloud is missing or empty: call {setInputCloud} with points, or {setInputSurface}"};
     if (!given_surface_)
       if (const Status status = scanned_.checkNormals(this->input_->size()); !status.ok())
         return status;
@@ -130,14 +128,14 @@ protected:
       return status;
     if (given_surface_) {
       if (scanned_.getInputNormals())
-        return {StatusCode::InvalidArgument, "setInputNormals was called beside setInputSurface, whose surface has its side already: "
-                                             "call setInputNormals with a null pointer, or give a cloud instead of a surface"};
-      const std::string setter = disagreement(surfaceSettings(), given_surface_->settings());
+        return {StatusCode::InvalidArgument, "{setInputNormals} was called beside {setInputSurface}, whose surface has its side already: "
+                                             "call {setInputNormals} with a null pointer, or give a cloud instead of a surface"};
+      const Diagnostic setter = disagreement(surfaceSettings(), given_surface_->settings());
       surface = given_surface_;
       return setter.empty() ? Status::success()
                             : Status(StatusCode::InvalidArgument,
-                                     setter + " was called beside setInputSurface, and the surface was made otherwise: call "
-                                              "it on the ScannedSurface, or give a cloud instead of a surface");
+                                     Diagnostic(setter, " was called beside {setInputSurface}, and the surface was made otherwise: call "
+                                                        "it on the {ScannedSurface}, or give a cloud instead of a surface"));
     }
     scanned_.setInputCloud(this->input_);
     scanned_.setIndices(support);

@@ -120,7 +120,7 @@ protected:
   void applyFilter(PointCloud& output) override; ///< What pcl::Filter calls.
 
 private:
-  static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"}; }
+  static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call {setInputCloud} with points"}; }
   void forget();
 
   ScannedSurface<PointT> scanned_;

@@ -4,10 +4,11 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <Eigen/Core>
 
 #include <optional>
-#include <string>
 
 namespace pcl_spiral {
 
@@ -38,6 +39,6 @@ struct SurfaceSettings {
 /** Name of the first setter that \p asked uses and \p made does not agree with; empty if there is none. A setting
  *  \p asked leaves at its default agrees with everything. strict and threads are not
  *  compared. */
-std::string disagreement(const SurfaceSettings& asked, const SurfaceSettings& made);
+Diagnostic disagreement(const SurfaceSettings& asked, const SurfaceSettings& made);
 
 } // namespace pcl_spiral

@@ -4,13 +4,13 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/machine/machine_program.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -47,35 +47,35 @@ struct TurnWobble {
 
 /** Figures of a path against a scan or a mesh. Lengths in mm, angles in degrees. */
 struct DeviationFigures {
-  std::size_t points = 0;            ///< of the path
-  std::size_t measured = 0;          ///< points with data of the scan around them: the figures are for these
-  std::size_t beyond_rim = 0;        ///< just outside the outermost points; measured against the extended surface
-  std::size_t unmeasured = 0;        ///< no surface there
-  double rms = 0.0;                  ///< of the deviation
-  double p99 = 0.0;                  ///< 99th percentile of the absolute deviation
-  PlacedValue max;                   ///< the largest in absolute value, with its sign: positive out of the material
-  PlacedValue rim_max;               ///< the same for the points beyond the rim
-  std::size_t in_gaps = 0;           ///< in gaps of the scan, where there is no data to judge by
-  PlacedValue gap_max;               ///< near the border of a gap: the largest distance from the extended surface
-  std::size_t in_crease_band = 0;    ///< within crease_band of a crease of the mesh, where a fit rounds it; not part of the other figures
-  double crease_band = 0.0;          ///< see ReferenceSurface::creaseBand
-  PlacedValue crease_max;            ///< the largest distance of these from the rounded fit, with its sign; not a verdict
-  std::size_t lifted = 0;            ///< off the surface by their own account (ToolpathPoint::lift); not part of the other figures
-  PlacedValue lift_max;              ///< the largest of these lifts; no verdict: gouges and stock show whether it is right
-  PlacedValue normal_error;          ///< largest angle between the path's normal and the surface's
-  double normal_p99 = 0.0;           ///< 99th percentile of that angle
-  std::size_t opposed = 0;           ///< points whose normal points into the material
-  PlacedValue first_opposed;         ///< the first of these
-  std::size_t inward_axes = 0;       ///< points whose tool axis points into the material: the shank would go there
-  PlacedValue first_inward;          ///< the first of these
-  TurnWobble wobble;                 ///< of the deviation, from turn to turn
-  PathMotion motion;                 ///< how the path moves
-  std::size_t reference_points = 0;  ///< of the scan, or samples of the mesh
-  bool by_mesh = false;              ///< the reference points are samples of a mesh; false: a scan
-  double noise = 0.0;                ///< see ReferenceSurface::noise
-  double fit_noise = 0.0;            ///< see ReferenceSurface::fitNoise; deviations below three times this are not known
-  double seconds = 0.0;              ///< wall time of the measurement
-  std::vector<std::string> warnings; ///< in full sentences, with the remedy
+  std::size_t points = 0;           ///< of the path
+  std::size_t measured = 0;         ///< points with data of the scan around them: the figures are for these
+  std::size_t beyond_rim = 0;       ///< just outside the outermost points; measured against the extended surface
+  std::size_t unmeasured = 0;       ///< no surface there
+  double rms = 0.0;                 ///< of the deviation
+  double p99 = 0.0;                 ///< 99th percentile of the absolute deviation
+  PlacedValue max;                  ///< the largest in absolute value, with its sign: positive out of the material
+  PlacedValue rim_max;              ///< the same for the points beyond the rim
+  std::size_t in_gaps = 0;          ///< in gaps of the scan, where there is no data to judge by
+  PlacedValue gap_max;              ///< near the border of a gap: the largest distance from the extended surface
+  std::size_t in_crease_band = 0;   ///< within crease_band of a crease of the mesh, where a fit rounds it; not part of the other figures
+  double crease_band = 0.0;         ///< see ReferenceSurface::creaseBand
+  PlacedValue crease_max;           ///< the largest distance of these from the rounded fit, with its sign; not a verdict
+  std::size_t lifted = 0;           ///< off the surface by their own account (ToolpathPoint::lift); not part of the other figures
+  PlacedValue lift_max;             ///< the largest of these lifts; no verdict: gouges and stock show whether it is right
+  PlacedValue normal_error;         ///< largest angle between the path's normal and the surface's
+  double normal_p99 = 0.0;          ///< 99th percentile of that angle
+  std::size_t opposed = 0;          ///< points whose normal points into the material
+  PlacedValue first_opposed;        ///< the first of these
+  std::size_t inward_axes = 0;      ///< points whose tool axis points into the material: the shank would go there
+  PlacedValue first_inward;         ///< the first of these
+  TurnWobble wobble;                ///< of the deviation, from turn to turn
+  PathMotion motion;                ///< how the path moves
+  std::size_t reference_points = 0; ///< of the scan, or samples of the mesh
+  bool by_mesh = false;             ///< the reference points are samples of a mesh; false: a scan
+  double noise = 0.0;               ///< see ReferenceSurface::noise
+  double fit_noise = 0.0;           ///< see ReferenceSurface::fitNoise; deviations below three times this are not known
+  double seconds = 0.0;             ///< wall time of the measurement
+  Diagnostics warnings;             ///< in full sentences, with the remedy
 };
 
 /** Heights above the surface, one value per place. */
@@ -106,22 +106,22 @@ struct RemovalFigures {
   PlacedValue face_gouge; ///< how much of such a depth is the most that the bends between the faces do not explain, see bendDepth
   StockFigures unreached; ///< at the reference points that a ball of this radius does not reach, and within one spacing of them. Not
                           ///< part of the other figures
-  double fitting_radius = 0.0;       ///< of the largest ball that reaches everything, at most that of the tool; mm
-  StockFigures crease;               ///< at the reference points within crease_band of a crease of the mesh, above the mesh
-                                     ///< itself. Not part of the other figures: a ball leaves stock in every hollow crease
-  PlacedValue crease_gouge;          ///< the deepest there
-  double crease_band = 0.0;          ///< see ReferenceSurface::creaseBand
-  double limit = 0.0;                ///< 1.02 scallop heights plus the chord error
-  double reach = 0.0;                ///< as used
-  double area = 0.0;                 ///< mm^2
-  double rim_length = 0.0;           ///< mm
-  double least_length = 0.0;         ///< mm: no path that cuts the same places to this scallop height is much shorter
-  double path_length = 0.0;          ///< mm
-  double efficiency = 0.0;           ///< eta = least_length / path_length
-  double noise = 0.0;                ///< see ReferenceSurface::noise
-  double fit_noise = 0.0;            ///< see ReferenceSurface::fitNoise; heights below three times this are not known
-  double seconds = 0.0;              ///< wall time of the measurement
-  std::vector<std::string> warnings; ///< in full sentences, with the remedy
+  double fitting_radius = 0.0; ///< of the largest ball that reaches everything, at most that of the tool; mm
+  StockFigures crease;         ///< at the reference points within crease_band of a crease of the mesh, above the mesh
+                               ///< itself. Not part of the other figures: a ball leaves stock in every hollow crease
+  PlacedValue crease_gouge;    ///< the deepest there
+  double crease_band = 0.0;    ///< see ReferenceSurface::creaseBand
+  double limit = 0.0;          ///< 1.02 scallop heights plus the chord error
+  double reach = 0.0;          ///< as used
+  double area = 0.0;           ///< mm^2
+  double rim_length = 0.0;     ///< mm
+  double least_length = 0.0;   ///< mm: no path that cuts the same places to this scallop height is much shorter
+  double path_length = 0.0;    ///< mm
+  double efficiency = 0.0;     ///< eta = least_length / path_length
+  double noise = 0.0;          ///< see ReferenceSurface::noise
+  double fit_noise = 0.0;      ///< see ReferenceSurface::fitNoise; heights below three times this are not known
+  double seconds = 0.0;        ///< wall time of the measurement
+  Diagnostics warnings;        ///< in full sentences, with the remedy
 };
 
 /** A place where the tool would be in the scan. Lengths in mm. */

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/verify/figures.h>
 
@@ -40,6 +41,6 @@ struct RawScanFigures {
 RawScanFigures compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw);
 
 /** What to tell of \p figures of the raw scan \p name. */
-std::string smoothingText(const RawScanFigures& figures, const std::string& name);
+Diagnostic smoothingText(const RawScanFigures& figures, const std::string& name);
 
 } // namespace pcl_spiral

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "post_text.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
@@ -20,15 +20,15 @@ requireRows(const std::string& file, const std::vector<ToolPoses>& passes)
   if (passes.empty())
     throw FileError(file, "not written: there are no poses; give at least one row");
   for (std::size_t row = 0; row < passes.size(); ++row) {
-    const auto require = [&](bool holds, const std::string& fault) {
+    const auto require = [&](bool holds, const Diagnostic& fault) {
       if (!holds)
-        throw FileError(file, textOf("not written: row ", row + 1, fault));
+        throw FileError(file, Diagnostic("not written: row ", row + 1, fault));
     };
-    require(passes[row].size() >= 2, textOf(" has ", passes[row].size(), " poses; give it two or more, or leave it out"));
+    require(passes[row].size() >= 2, Diagnostic(" has ", passes[row].size(), " poses; give it two or more, or leave it out"));
     for (const ToolPose& pose : passes[row])
       require(pose.tip.allFinite() && pose.contact.allFinite() && std::abs(pose.axis.norm() - 1.0) < 1e-6,
-              " has a pose at " + placeText(pose.tip) + " that is not finite, or its axis " + placeText(pose.axis) +
-                  " is not a unit vector; leave it out");
+              Diagnostic(" has a pose at ", Place(pose.tip), " that is not finite, or its axis ", Direction(pose.axis),
+                         " is not a unit vector; leave it out"));
   }
 }
 
@@ -63,7 +63,7 @@ anglesOf(const std::string& file, const std::vector<ToolPoses>& passes)
       const auto larger = kinematics.anglesOf(pose.axis.normalized(), Branch::Larger),
                  smaller = kinematics.anglesOf(pose.axis.normalized(), Branch::Smaller);
       if (!larger || !smaller)
-        throw FileError(file, textOf("not written: row ", rows.size(), ": no rotary angles reach the tool axis at ", placeText(pose.tip)));
+        throw FileError(file, Diagnostic("not written: row ", rows.size(), ": no rotary angles reach the tool axis at ", Place(pose.tip)));
       const RotaryAngles a = turnedTo(before, *larger), b = turnedTo(before, *smaller);
       before = !begun || wayBetween(a, before) <= wayBetween(b, before) ? a : b;
       begun = true;

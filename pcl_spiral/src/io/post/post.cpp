@@ -6,7 +6,7 @@
 #include "io/kinematics_text.h"
 #include "io/link_marks.h"
 #include "io/named_values.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 
@@ -181,8 +181,9 @@ Post::writeComments()
   const Machine& machine = program_.machine;
   writeComment((machine.name.empty() ? "machine" : machine.name) + ", " + kinematicsText(machine));
   const Eigen::Vector3d& zero = machine.work_zero;
-  writeComment(textOf("checked for work zero ", zero.x(), " ", zero.y(), " ", zero.z(), " and tool length ", machine.tool_length,
-                      " of the machine file"));
+  writeComment(Diagnostic("checked for work zero ", zero.x(), " ", zero.y(), " ", zero.z(), " and tool length ", machine.tool_length,
+                          " of the machine file")
+                   .text());
   writeComment(offset_opening + offset());
   if (!machine.retract_z)
     writeComment("no retract_z in the machine file: start above the part");
@@ -253,14 +254,14 @@ Post::valueOf(std::string_view name) const
   if (name == "part")
     return commentText(header_.title);
   if (name == "feed")
-    return textOf(program_.feed);
+    return Diagnostic(program_.feed).text();
   if (name == "tolerance")
-    return textOf(tolerance());
+    return Diagnostic(tolerance()).text();
   if (name == "offset")
     return offset();
   if (!program_.machine.retract_z)
-    throw FileError(file_, "not written: a line of the machine file holds {safe_z}, and the machine file has no retract_z; give it");
-  return textOf(*program_.machine.retract_z);
+    throw FileError(file_, "not written: a line of the machine file holds {{safe_z}}, and the machine file has no retract_z; give it");
+  return Diagnostic(*program_.machine.retract_z).text();
 }
 
 } // namespace pcl_spiral

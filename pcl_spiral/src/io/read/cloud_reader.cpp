@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -53,11 +52,11 @@ requireKnownName(const std::string& file)
 {
   const std::string extension = lowerExtension(file);
   if (extension == ".laz" || extension == ".e57")
-    throw FileError(file, extension + " is not read; " + conversionRemedy(file));
+    throw FileError(file, Diagnostic(extension, " is not read; ", conversionRemedy(file)));
   const auto& known = cloudExtensions();
   if (std::find(known.begin(), known.end(), extension) == known.end() && !isNameless(file))
-    throw FileError(file,
-                    "extension '" + extension + "' is not known for a scan; use .pcd .ply .xyz .txt .csv .asc .pts .las .stl or .obj");
+    throw FileError(
+        file, Diagnostic("extension '", extension, "' is not known for a scan; use .pcd .ply .xyz .txt .csv .asc .pts .las .stl or .obj"));
 }
 
 /** Refuses what is said of a text if the file is none. */
@@ -65,9 +64,9 @@ void
 requireText(const std::string& file, const std::string& extension, const ReadOptions& options)
 {
   if (!options.columns.empty() && !hasColumns(extension))
-    throw FileError(file, "only the columns of text files can be named; leave ReadOptions::columns out");
+    throw FileError(file, "only the columns of text files can be named; leave {ReadOptions::columns} out");
   if (options.skip_lines > 0 && !hasColumns(extension) && extension != ".pts")
-    throw FileError(file, "only lines of text files can be skipped; leave ReadOptions::skip_lines out");
+    throw FileError(file, "only lines of text files can be skipped; leave {ReadOptions::skip_lines} out");
 }
 
 /** The columns behind x y z as normals; zero where one is not finite; null without these columns or if all are zero. */
@@ -121,7 +120,7 @@ readCloud(const std::string& file, const ReadOptions& options)
   Scan scan;
   const PointTable table = readTable(file, bytes, extension, {options.columns, options.skip_lines, &scan.warnings});
   if (extension != ".las" && looksLikeDegrees(table))
-    scan.warnings.push_back(file + ": the coordinates look as if they " + degreesRemedy(file, table, false));
+    scan.warnings.push_back(Diagnostic(file, ": the coordinates look as if they ", degreesRemedy(file, table, false)));
   ScaledPoints points = scaledPoints(file, table, options);
   scan.cloud = points.cloud;
   scan.shift = points.shift;

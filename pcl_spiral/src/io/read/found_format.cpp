@@ -65,8 +65,8 @@ formatOf(const std::string& file, std::string_view bytes, const std::vector<std:
   std::string list;
   for (const std::string& extension : known)
     list += (list.empty() ? "" : " ") + extension;
-  throw FileError(file, "has no name with an extension, and its content is none of " + list +
-                            "; write it into a file with its extension: cat " + shellFile(file) + " > part" + known.front());
+  throw FileError(file, Diagnostic("has no name with an extension, and its content is none of ", list,
+                                   "; write it into a file with its extension: cat ", shellFile(file), " > part", known.front()));
 }
 
 } // namespace pcl_spiral

@@ -35,11 +35,11 @@ readRotary(const std::string& file, const YAML::Node& node)
   RotaryAxis axis;
   const auto letter = settings.value<std::string>("axis", "C");
   if (letter.size() != 1)
-    settings.fail(node["axis"], "a rotary axis is called " + letter + "; it must be A, B or C");
+    settings.fail(node["axis"], Diagnostic("a rotary axis is called ", letter, "; it must be A, B or C"));
   axis.letter = letter[0];
   const auto mount = settings.value<std::string>("mount", "table");
   if (mount != "table" && mount != "head")
-    settings.fail(node["mount"], "mount of " + letter + " is " + mount + "; it must be table or head");
+    settings.fail(node["mount"], Diagnostic("mount of ", letter, " is ", mount, "; it must be table or head"));
   axis.mount = mount == "table" ? RotaryMount::Table : RotaryMount::Head;
   axis.direction = settings.vector("direction", "[0, 0, 1]");
   if (settings.has("point"))
@@ -113,16 +113,16 @@ requirePlaces(YamlSettings& settings, const YAML::Node& rotary, const Machine& m
 {
   if (machine.rtcp || machine.three_axes)
     return;
-  const auto require = [&](bool needed, const YAML::Node& node, const std::string& name, const std::string& what) {
+  const auto require = [&](bool needed, const YAML::Node& node, const std::string& name, const Diagnostic& what) {
     if (needed && !node[name])
-      settings.fail(node, "rtcp: false, so the program depends on " + name + ", and none is given; measure it on the machine and give " +
-                              name + ": " + what);
+      settings.fail(node, Diagnostic("rtcp: false, so the program depends on ", name,
+                                     ", and none is given; measure it on the machine and give ", name, ": ", what));
   };
   bool table = false, head = false;
   for (std::size_t i = 0; i < 2; ++i) {
     const RotaryAxis& axis = machine.rotary[i];
     (axis.mount == RotaryMount::Table ? table : head) = true;
-    require(true, rotary[i], "point", std::string("[x, y, z], a place on the axis ") + axis.letter);
+    require(true, rotary[i], "point", Diagnostic("[x, y, z], a place on the axis ", axis.letter));
   }
   require(table, settings.node(), "work_zero", "[x, y, z], the zero of the program in machine coordinates");
   require(head, settings.node(), "tool_length", "the distance from the gauge point to the tip");
@@ -162,12 +162,12 @@ readMachine(const std::string& file)
     machine = machineFrom(file, YAML::Load(text));
   }
   catch (const YAML::Exception& error) {
-    throw FileError(file, error.what());
+    throw FileError(file, Diagnostic(std::string(error.what())));
   }
   if (machine.name.empty())
     machine.name = std::filesystem::path(file).stem().string();
   if (const Status status = checkMachine(machine); !status.ok())
-    throw FileError(file, status.message());
+    throw FileError(file, status.diagnostic());
   return machine;
 }
 

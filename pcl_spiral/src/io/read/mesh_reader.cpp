@@ -6,7 +6,7 @@
 #include "scaled_points.h"
 #include "text_encoding.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 
@@ -39,17 +39,17 @@ checkFaces(const std::string& file, const FaceList& faces, const Points& points)
   const auto count = static_cast<std::int64_t>(points.size());
   for (std::size_t f = 0; f < faces.ends.size(); ++f) {
     if (faces.ends[f] - faces.begin(f) < 3)
-      throw FileError(file, faces.nameOf(f) + " has " + std::to_string(faces.ends[f] - faces.begin(f)) +
-                                " corners, but a face needs three; leave it out or export the file again");
+      throw FileError(file, Diagnostic(faces.nameOf(f), " has ", faces.ends[f] - faces.begin(f),
+                                       " corners, but a face needs three; leave it out or export the file again"));
     for (std::size_t i = faces.begin(f); i < faces.ends[f]; ++i) {
       const std::int64_t vertex = faces.corners[i], first = faces.first_vertex;
       if (vertex < 0 || vertex >= count)
-        throw FileError(file, faces.nameOf(f) + " names vertex " + std::to_string(vertex + first) + ", but the file has vertices " +
-                                  std::to_string(first) + " to " + std::to_string(count - 1 + first) + "; copy or export the file again");
+        throw FileError(file, Diagnostic(faces.nameOf(f), " names vertex ", vertex + first, ", but the file has vertices ", first, " to ",
+                                         count - 1 + first, "; copy or export the file again"));
       const Eigen::Vector3f at = points[static_cast<std::size_t>(vertex)].getVector3fMap();
       if (!at.allFinite())
-        throw FileError(file, faces.nameOf(f) + ": its vertex " + std::to_string(vertex + first) + " is at " +
-                                  placeText(at.cast<double>()) + ", which is not a place; leave out the faces of this vertex");
+        throw FileError(file, Diagnostic(faces.nameOf(f), ": its vertex ", vertex + first, " is at ", Place(at.cast<double>()),
+                                         ", which is not a place; leave out the faces of this vertex"));
     }
   }
 }
@@ -73,9 +73,10 @@ public:
         add(triangle, *result.mesh);
     }
     if (faulty_ > 0)
-      result.warnings.push_back(file_ + ": " + faces_.nameOf(first_faulty_) + (faulty_ > 1 ? textOf(" and ", faulty_ - 1, " more") : "") +
-                                " can only be cut into triangles that overlap or are flat: the polygon crosses "
-                                "itself or has no area; export the mesh as triangles");
+      result.warnings.push_back(Diagnostic(file_, ": ", faces_.nameOf(first_faulty_),
+                                           (faulty_ > 1 ? Diagnostic(" and ", faulty_ - 1, " more") : ""),
+                                           " can only be cut into triangles that overlap or are flat: the polygon crosses "
+                                           "itself or has no area; export the mesh as triangles"));
   }
 
 private:
@@ -103,9 +104,8 @@ private:
     if (polygon.convex())
       return polygon.fan();
     if (at.size() > most_ear_corners)
-      throw FileError(file_, faces_.nameOf(face) + " has " + std::to_string(at.size()) +
-                                 " corners and is not convex; the limit for such faces is " + std::to_string(most_ear_corners) +
-                                 " corners; export the mesh as triangles");
+      throw FileError(file_, Diagnostic(faces_.nameOf(face), " has ", at.size(), " corners and is not convex; the limit for such faces is ",
+                                        most_ear_corners, " corners; export the mesh as triangles"));
     const std::vector<CutTriangle> ears = polygon.ears();
     if (polygon.faulty() && faulty_++ == 0)
       first_faulty_ = face;
@@ -143,17 +143,17 @@ readMesh(const std::string& file, const ReadOptions& options)
   const std::string extension = lowerExtension(file);
   const auto& known = meshExtensions();
   if (std::find(known.begin(), known.end(), extension) == known.end() && !isNameless(file))
-    throw FileError(file,
-                    "extension '" + extension + "' is not known for a mesh; use .stl .obj or .ply, or read points as a scan (readCloud)");
+    throw FileError(file, Diagnostic("extension '", extension,
+                                     "' is not known for a mesh; use .stl .obj or .ply, or read points as a scan ({readCloud})"));
   if (!options.columns.empty())
-    throw FileError(file, "only the columns of text files can be named; leave ReadOptions::columns out");
+    throw FileError(file, "only the columns of text files can be named; leave {ReadOptions::columns} out");
   if (options.skip_lines > 0)
-    throw FileError(file, "only lines of text files can be skipped; leave ReadOptions::skip_lines out");
+    throw FileError(file, "only lines of text files can be skipped; leave {ReadOptions::skip_lines} out");
   const std::string bytes = readStream(file);
   const MeshTable table = readTable(file, bytes, formatOf(file, bytes, known));
   if (table.faces.ends.empty())
-    throw FileError(file, "holds no faces, only " + std::to_string(table.vertices[0].size()) +
-                              " points; give it as a scan (readCloud), or export the mesh with its faces");
+    throw FileError(file, Diagnostic("holds no faces, only ", table.vertices[0].size(),
+                                     " points; give it as a scan ({readCloud}), or export the mesh with its faces"));
   const ScaledPoints scaled = scaledPoints(file, table.vertices, options);
   const Points::Ptr& points = scaled.cloud;
   checkFaces(file, table.faces, *points);

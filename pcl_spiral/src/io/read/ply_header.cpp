@@ -33,13 +33,13 @@ public:
       else if (words[0] == "property" && words.size() >= 3 && !header_.elements.empty())
         takeProperty(words);
       else
-        failLine(inQuotes(line) + " is not a line of a PLY header");
+        failLine(Diagnostic(inQuotes(line), " is not a line of a PLY header"));
     }
     throw FileError(file_, "has no end_header: it is cut off in its header; copy or export it again");
   }
 
 private:
-  [[noreturn]] void failLine(const std::string& what) const { throw FileError(file_, atLine(lines_.number(), what)); }
+  [[noreturn]] void failLine(const Diagnostic& what) const { throw FileError(file_, atLine(lines_.number(), what)); }
 
   FieldType typeOf(std::string_view word) const
   {
@@ -49,14 +49,14 @@ private:
         {"float", {'F', 4}},  {"float32", {'F', 4}}, {"double", {'F', 8}}, {"float64", {'F', 8}}};
     const auto found = types.find(word);
     if (found == types.end())
-      failLine(inQuotes(word) + " is not a type of a property");
+      failLine(Diagnostic(inQuotes(word), " is not a type of a property"));
     return found->second;
   }
 
   void takeFormat(std::string_view format)
   {
     if (format != "ascii" && format != "binary_little_endian" && format != "binary_big_endian")
-      failLine("format " + inQuotes(format) + " is not known");
+      failLine(Diagnostic("format ", inQuotes(format), " is not known"));
     header_.ascii = format == "ascii";
     header_.swapped = format == "binary_big_endian";
   }
@@ -65,7 +65,7 @@ private:
   {
     const std::optional<std::size_t> count = toCount(words[2]);
     if (!count)
-      failLine(inQuotes(words[2]) + " is not a count");
+      failLine(Diagnostic(inQuotes(words[2]), " is not a count"));
     header_.elements.push_back({std::string(words[1]), *count, {}});
   }
 

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <Eigen/Core>
 
 #include <optional>
@@ -23,9 +25,9 @@ enum class NormalColumns { Leave, Read };
 
 /** What a user says of a text, and what was found in it. */
 struct TextLayout {
-  Names columns;                                ///< from the left; empty: the header names them, otherwise the first ones are the wanted
-  std::size_t skipped = 0;                      ///< lines at the beginning that are not read
-  std::vector<std::string>* warnings = nullptr; ///< gets what is told of lines that were passed over
+  Names columns;                   ///< from the left; empty: the header names them, otherwise the first ones are the wanted
+  std::size_t skipped = 0;         ///< lines at the beginning that are not read
+  Diagnostics* warnings = nullptr; ///< gets what is told of lines that were passed over
 };
 
 /** \p bytes is the content of \p file; the name is for messages. Each reader throws FileError if a
@@ -40,7 +42,7 @@ PointTable readObjTable(const std::string& file, std::string_view bytes);
 /** Corners x y z of the triangles, each point once. */
 PointTable readStlTable(const std::string& file, std::string_view bytes);
 /** x y z of uncompressed points that are not flagged withheld; \p warnings gets the number of those that are. */
-PointTable readLasTable(const std::string& file, std::string_view bytes, std::vector<std::string>& warnings);
+PointTable readLasTable(const std::string& file, std::string_view bytes, Diagnostics& warnings);
 /** x y z of a text that begins with the number of its points, perhaps below a title; several such blocks may follow each other.
  *  The columns of \p layout are not used. */
 PointTable readPtsTable(const std::string& file, std::string_view bytes, const TextLayout& layout = {});

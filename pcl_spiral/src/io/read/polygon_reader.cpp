@@ -26,11 +26,11 @@ numbersOf(const std::string& file, std::string_view line, std::size_t at)
     if (!number && numbers.empty() && sameWord(unquoted(word), "x"))
       return {};
     if (!number || !std::isfinite(*number))
-      throw FileError(file, atLine(at, inQuotes(word) + " is not a number; write one corner per line as x y or x y z"));
+      throw FileError(file, atLine(at, Diagnostic(inQuotes(word), " is not a number; write one corner per line as x y or x y z")));
     numbers.push_back(*number);
   }
   if (numbers.size() < 2 || numbers.size() > 3)
-    throw FileError(file, atLine(at, std::to_string(numbers.size()) + " numbers; write one corner per line as x y or x y z"));
+    throw FileError(file, atLine(at, Diagnostic(numbers.size(), " numbers; write one corner per line as x y or x y z")));
   return numbers;
 }
 
@@ -61,7 +61,7 @@ readPolygon(const std::string& file, const ReadOptions& options)
     axis = Eigen::Vector3d::UnitZ();
   Prism prism(corners, axis);
   if (!prism.fault().empty())
-    throw FileError(file, "the polygon is no area: " + prism.fault());
+    throw FileError(file, Diagnostic("the polygon is no area: ", prism.fault()));
   return prism;
 }
 

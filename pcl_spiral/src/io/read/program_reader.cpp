@@ -39,8 +39,9 @@ requireMadeFor(const std::string& file, std::string_view text, const Machine& ma
   if (made_for == kinematicsText(machine))
     return;
   const auto line = static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n') + 1);
-  throw FileError(file, atLine(line, "the comment says that the program was made for a machine '" + made_for + "', but " + machine.name +
-                                         " is '" + kinematicsText(machine) + "'; give the machine file for which it was made"));
+  throw FileError(file,
+                  atLine(line, Diagnostic("the comment says that the program was made for a machine '", made_for, "', but ", machine.name,
+                                          " is '", kinematicsText(machine), "'; give the machine file for which it was made")));
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_track.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <cmath>
@@ -46,7 +46,7 @@ ProgramTrack::ProgramTrack(const Machine& machine, bool in_workpiece) : kinemati
   file_.program.machine = kinematics_.machine();
 }
 
-std::string
+Diagnostic
 ProgramTrack::turnTo(const Eigen::Vector3d& axis)
 {
   const auto& rotary = kinematics_.machine().rotary;
@@ -56,8 +56,8 @@ ProgramTrack::turnTo(const Eigen::Vector3d& axis)
   for (Branch branch : {Branch::Larger, Branch::Smaller}) {
     const std::optional<RotaryAngles> found = kinematics_.anglesOf(axis, branch);
     if (!found)
-      return textOf("no angles of ", rotary[0].letter, " and ", rotary[1].letter, " reach the tool axis ", placeText(axis),
-                    "; give the machine file for which the program was made");
+      return Diagnostic("no angles of ", rotary[0].letter, " and ", rotary[1].letter, " reach the tool axis ", Direction(axis),
+                        "; give the machine file for which the program was made");
     const RotaryAngles angles{std::isnan(found->first) ? from.first : turnedTo(found->first, from.first),
                               turnedTo(found->second, from.second)};
     constexpr double beyond = 1e3; // radians: an angle beyond the limits is used only if there is no other
@@ -103,14 +103,14 @@ ProgramTrack::goTo(const ProgramTarget& target)
   }
 }
 
-std::string
+Diagnostic
 ProgramTrack::move(std::size_t line, const ProgramTarget& target)
 {
   for (std::size_t i = 0; i < 2; ++i)
     if (target.angles[i])
       angles_[i] = target.angles[i];
   if (target.axis)
-    if (const std::string fault = turnTo(*target.axis); !fault.empty())
+    if (const Diagnostic fault = turnTo(*target.axis); !fault.empty())
       return fault;
   goTo(target);
   const bool known = allOf(tip_) && allOf(machine_) && angles_[0] && angles_[1];

@@ -4,12 +4,12 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/program_reader.h>
 #include <pcl_spiral/machine/impl/kinematics.h>
 
 #include <array>
 #include <optional>
-#include <string>
 
 namespace pcl_spiral {
 
@@ -34,14 +34,14 @@ public:
   ProgramTrack(const Machine& machine, bool in_workpiece);
 
   /** Makes the block of a line. Nothing yet while the place of an axis is not known. \return why it cannot be made; empty if it can */
-  std::string move(std::size_t line, const ProgramTarget& target);
+  Diagnostic move(std::size_t line, const ProgramTarget& target);
   /** Whether the place of all axes is known. */
   bool begun() const { return !file_.program.blocks.empty(); }
   /** The moves so far, which are moved out. */
   ProgramFile take() { return std::move(file_); }
 
 private:
-  std::string turnTo(const Eigen::Vector3d& axis);
+  Diagnostic turnTo(const Eigen::Vector3d& axis);
   void goTo(const ProgramTarget& target);
   void placeMachine();
   /** The way that a feed a minute counts: of X Y Z, mm, or, where they stand, of the rotary axes, degrees (NIST RS274, 2.1.2.5). */

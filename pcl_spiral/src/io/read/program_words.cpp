@@ -42,13 +42,13 @@ endOf(std::string_view text, std::size_t at, const Test& test)
 } // namespace
 
 void
-ProgramLines::fail(const ProgramWord& word, const std::string& reason) const
+ProgramLines::fail(const ProgramWord& word, const Diagnostic& reason) const
 {
-  fail(word.text + ": " + reason);
+  fail(Diagnostic(word.text, ": ", reason));
 }
 
 void
-ProgramLines::fail(const std::string& reason) const
+ProgramLines::fail(const Diagnostic& reason) const
 {
   throw FileError(file_, atLine(lines_.number(), reason));
 }
@@ -99,9 +99,9 @@ ProgramLines::takeWord(std::size_t begin)
   }
   const bool number_only = words_.empty() && isDigit(text_[begin]); // the number of a line of Klartext
   if (!number_only && !isLetter(text_[begin]))
-    fail(inQuotes(text_.substr(begin)) +
-         " is not understood: the program is read without variables, expressions, labels and skipped blocks; "
-         "write every move with numbers");
+    fail(Diagnostic(inQuotes(text_.substr(begin)),
+                    " is not understood: the program is read without variables, expressions, labels and skipped blocks; "
+                    "write every move with numbers"));
   std::size_t at = number_only ? begin : endOf(text_, begin, isLetter);
   ProgramWord word;
   word.name = text_.substr(begin, at - begin);
@@ -118,7 +118,7 @@ ProgramLines::takeWord(std::size_t begin)
     const std::string_view digits = text_.substr(value, end - value);
     word.value = toNumber(digits[0] == '+' ? digits.substr(1) : digits);
     if (!word.value)
-      fail(inQuotes(text_.substr(begin, end - begin)) + " has no number that can be read; write it as X-12.5");
+      fail(Diagnostic(inQuotes(text_.substr(begin, end - begin)), " has no number that can be read; write it as X-12.5"));
   }
   word.text = text_.substr(begin, (word.value ? end : at) - begin);
   words_.push_back(std::move(word));

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "text_scan.h"
 
 #include <optional>
@@ -37,9 +39,9 @@ public:
   bool inLink() const { return in_link_; }
 
   /** "line 7: X10: reason" \throw FileError */
-  [[noreturn]] void fail(const ProgramWord& word, const std::string& reason) const;
+  [[noreturn]] void fail(const ProgramWord& word, const Diagnostic& reason) const;
   /** "line 7: reason" \throw FileError */
-  [[noreturn]] void fail(const std::string& reason) const;
+  [[noreturn]] void fail(const Diagnostic& reason) const;
 
 private:
   void split();

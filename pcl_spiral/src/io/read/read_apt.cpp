@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& reason) const { throw FileError(file_, atLine(lines_.number(), reason)); }
+  [[noreturn]] void fail(const Diagnostic& reason) const { throw FileError(file_, atLine(lines_.number(), reason)); }
 
   void takeLine(std::string_view line)
   {
@@ -61,32 +61,33 @@ private:
     else if (sameWord(word, "fini") || sameWord(word, "end"))
       ended_ = true;
     else if (std::none_of(std::begin(silent), std::end(silent), [&](const char* name) { return sameWord(word, name); }))
-      fail(inQuotes(word) +
-           " is not understood: GOTO, RAPID, FEDRAT and UNITS are followed; write every move as GOTO with tip and axis, and leave "
-           "the word out if it does not move the tool");
+      fail(Diagnostic(
+          inQuotes(word),
+          " is not understood: GOTO, RAPID, FEDRAT and UNITS are followed; write every move as GOTO with tip and axis, and leave "
+          "the word out if it does not move the tool"));
   }
 
-  double refuseUnit(std::string_view line) const { fail(inQuotes(line) + " is not a unit; write UNITS/MM or UNITS/INCHES"); }
+  double refuseUnit(std::string_view line) const { fail(Diagnostic(inQuotes(line), " is not a unit; write UNITS/MM or UNITS/INCHES")); }
 
   double number(std::size_t i) const
   {
     const std::optional<double> value = toNumber(values_[i]);
     if (!value)
-      fail(inQuotes(values_[i]) + " is not a number; write it as 12.5");
+      fail(Diagnostic(inQuotes(values_[i]), " is not a number; write it as 12.5"));
     return *value;
   }
 
   void takeFeed()
   {
     if (values_.size() > 1 && !sameWord(values_[1], "mmpm") && !sameWord(values_[1], "ipm"))
-      fail(inQuotes(values_[1]) + " is not a unit of the feed that is understood; write FEDRAT/1000.0,MMPM");
+      fail(Diagnostic(inQuotes(values_[1]), " is not a unit of the feed that is understood; write FEDRAT/1000.0,MMPM"));
     feed_ = number(0) * (values_.size() > 1 && sameWord(values_[1], "ipm") ? 25.4 : 1.0);
   }
 
   void takeGoto(bool from)
   {
     if (values_.size() != 3 && values_.size() != 6)
-      fail("a GOTO has " + std::to_string(values_.size()) + " values; write X,Y,Z or X,Y,Z,I,J,K");
+      fail(Diagnostic("a GOTO has ", values_.size(), " values; write X,Y,Z or X,Y,Z,I,J,K"));
     ProgramTarget target;
     for (std::size_t i = 0; i < 3; ++i)
       target.xyz[i] = unit_ * number(i);
@@ -100,7 +101,7 @@ private:
     target.link = in_link_;
     target.feed = feed_ > 0.0 ? feed_ : 1.0; // a path without FEDRAT has no times
     rapid_ = false;
-    if (const std::string fault = track_.move(lines_.number(), target); !fault.empty())
+    if (const Diagnostic fault = track_.move(lines_.number(), target); !fault.empty())
       fail(fault);
   }
 

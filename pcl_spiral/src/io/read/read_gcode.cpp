@@ -51,7 +51,7 @@ private:
     modes_.of_machine = modes_.dwells = modes_.takes_values = false;
     for (const ProgramWord& word : lines_.words())
       if (const std::string fault = takeCode(word); !fault.empty())
-        lines_.fail(word, fault);
+        lines_.fail(word, Diagnostic(fault));
     requireOffset();
     ProgramTarget target;
     std::array<std::optional<double>, 3> vector;
@@ -89,8 +89,8 @@ private:
         continue;
       const std::string_view made_for = text.substr(opening.size());
       if (made_for.substr(0, made_for.find(' ')) != modes_.offset)
-        lines_.fail(modes_.offset + ": the comment says that the program was made for the work offset " + std::string(made_for) +
-                    "; write that one, or correct the comment if the part is set up there");
+        lines_.fail(Diagnostic(modes_.offset, ": the comment says that the program was made for the work offset ", std::string(made_for),
+                               "; write that one, or correct the comment if the part is set up there"));
     }
   }
 
@@ -128,17 +128,17 @@ private:
     return std::find(names.begin(), names.end(), name) != names.end();
   }
 
-  std::string reasonOf(const std::string& name) const
+  Diagnostic reasonOf(const std::string& name) const
   {
     if (machine_.three_axes && (name == "A" || name == "B" || name == "C"))
       return "the machine file has three axes; give the machine file for which the program was made";
     const std::string axes = std::string(1, machine_.rotary[0].letter) + " and " + machine_.rotary[1].letter;
     if (name == "A" || name == "B" || name == "C")
-      return "the rotary axes of the machine file are " + axes + "; give the machine file for which the program was made";
+      return Diagnostic("the rotary axes of the machine file are ", axes, "; give the machine file for which the program was made");
     if (name == "O" || name == "L")
       return "a subprogram or a loop; write all moves in one program";
     if (name == "I" || name == "J" || name == "K")
-      return "the centre of an arc, or a tool axis outside G43.5; write straight moves with " + axes;
+      return Diagnostic("the centre of an arc, or a tool axis outside G43.5; write straight moves with ", axes);
     return "not a word that is understood here; leave it out if it does not move the tool";
   }
 
@@ -153,10 +153,10 @@ private:
   {
     const std::string all = std::string(names_[0]) + " " + names_[1] + " " + names_[2];
     if (!vector[0] || !vector[1] || !vector[2])
-      lines_.fail("the tool axis needs " + all + ", and one is missing; name all three");
+      lines_.fail(Diagnostic("the tool axis needs ", all, ", and one is missing; name all three"));
     const Eigen::Vector3d axis(*vector[0], *vector[1], *vector[2]);
     if (!(axis.norm() > 1e-6))
-      lines_.fail("the tool axis " + all + " has no length; name its direction");
+      lines_.fail(Diagnostic("the tool axis ", all, " has no length; name its direction"));
     target.axis = axis.normalized();
   }
 
@@ -192,7 +192,7 @@ private:
     target.feed = modes_.inverse_time && fed_ != lines_.number() ? 0.0 : feed_;
     if (!target.rapid && !modes_.spindle && still_line_ == 0)
       still_line_ = lines_.number();
-    if (const std::string fault = track_.move(lines_.number(), target); !fault.empty())
+    if (const Diagnostic fault = track_.move(lines_.number(), target); !fault.empty())
       lines_.fail(fault);
   }
 

@@ -38,8 +38,8 @@ private:
       lines_.fail(words.front(), "a line of Klartext begins with its number; write it");
     const double number = *words.front().value;
     if (number != next_)
-      lines_.fail("the line has the number " + wholeNumber(number) + ", and " + wholeNumber(next_) +
-                  " follows: a block is missing; write the program again");
+      lines_.fail(Diagnostic("the line has the number ", wholeNumber(number), ", and ", wholeNumber(next_),
+                             " follows: a block is missing; write the program again"));
     next_ = number + 1.0;
     if (words.size() == 1 || isShopLine(machine_, lineWithoutNumber(lines_.text())))
       return; // only a comment, or a line of the shop
@@ -129,7 +129,7 @@ private:
     target.feed = feed_;
     if (!target.rapid && !spindle_ && still_line_ == 0)
       still_line_ = lines_.number();
-    if (const std::string fault = track_.move(lines_.number(), target); !fault.empty())
+    if (const Diagnostic fault = track_.move(lines_.number(), target); !fault.empty())
       lines_.fail(fault);
   }
 

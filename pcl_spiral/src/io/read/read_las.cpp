@@ -32,9 +32,9 @@ public:
       if (const char* const record = bytes_.data() + begin_ + i * size_; (record[flags_at] & withheld_) == 0)
         records.push_back(record);
     if (records.empty())
-      throw FileError(file_, "all of its " + std::to_string(count_) +
-                                 " points are flagged withheld, which means that they are not part of "
-                                 "the scan; clear the flags, or export it again");
+      throw FileError(file_, Diagnostic("all of its ", count_,
+                                        " points are flagged withheld, which means that they are not part of "
+                                        "the scan; clear the flags, or export it again"));
     PointTable table(3, std::vector<double>(records.size()));
     for (std::size_t c = 0; c < 3; ++c) {
       const double offset = loadField(bytes_.data() + 155 + 8 * c, real);
@@ -56,11 +56,13 @@ private:
     constexpr double degree_step = 1e-6, height_steps = 100.0; // 0.1 m; x and y finer than z
     const LasCoordinates named = lasCoordinates(bytes_);
     if (named == LasCoordinates::Degrees)
-      throw FileError(file_, "its coordinates, by the geographic coordinate system that it names, " + degreesRemedy(file_, table, true));
+      throw FileError(
+          file_, Diagnostic("its coordinates, by the geographic coordinate system that it names, ", degreesRemedy(file_, table, true)));
     const double finest = std::max(scale(0), scale(1));
     const bool fine = finest <= degree_step && scale(2) >= height_steps * finest && canBeDegrees(table);
     if (named == LasCoordinates::Unknown && (fine || looksLikeDegrees(table)))
-      throw FileError(file_, "names no coordinate system, but its coordinates, by their ranges, " + degreesRemedy(file_, table, false));
+      throw FileError(file_,
+                      Diagnostic("names no coordinate system, but its coordinates, by their ranges, ", degreesRemedy(file_, table, false)));
   }
 
   std::size_t whole(std::size_t at, FieldType type) const
@@ -72,29 +74,29 @@ private:
   void check()
   {
     if (bytes_.size() < least_header || bytes_.substr(0, 4) != "LASF")
-      throw FileError(file_, "is not a LAS file, or it is cut off in its header: it must begin with LASF and a header of at least " +
-                                 std::to_string(least_header) + " bytes; copy or export it again");
+      throw FileError(file_,
+                      Diagnostic("is not a LAS file, or it is cut off in its header: it must begin with LASF and a header of at least ",
+                                 least_header, " bytes; copy or export it again"));
     constexpr std::array<std::size_t, 11> least_sizes{20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
     const std::size_t major = whole(24, u1), minor = whole(25, u1), format = whole(104, u1);
     if (format & 0xC0U) // LASzip sets a bit that no format uses
-      throw FileError(file_, "its points are compressed; " + conversionRemedy(file_));
+      throw FileError(file_, Diagnostic("its points are compressed; ", conversionRemedy(file_)));
     if (major != 1 || minor > 4 || format >= least_sizes.size())
-      throw FileError(file_, "is LAS " + std::to_string(major) + "." + std::to_string(minor) + " with points of format " +
-                                 std::to_string(format) + "; versions 1.0 to 1.4 with formats 0 to 10 are read; export it as one of these");
+      throw FileError(file_, Diagnostic("is LAS ", major, ".", minor, " with points of format ", format,
+                                        "; versions 1.0 to 1.4 with formats 0 to 10 are read; export it as one of these"));
     withheld_ = format < 6 ? 0x80U : 0x04U; // tables 8 and 16
     begin_ = whole(96, u4);
     size_ = whole(105, u2);
     if (size_ < least_sizes[format])
-      throw FileError(file_, "gives " + std::to_string(size_) + " bytes for a point of format " + std::to_string(format) +
-                                 ", which has at least " + std::to_string(least_sizes[format]) + "; export it again");
+      throw FileError(file_, Diagnostic("gives ", size_, " bytes for a point of format ", format, ", which has at least ",
+                                        least_sizes[format], "; export it again"));
     const bool wide = minor == 4 && bytes_.size() >= 255;
     count_ = wide ? whole(247, u8) : whole(107, u4);
     if (count_ == 0)
       throw FileError(file_, "holds no points");
     if (begin_ > bytes_.size() || (bytes_.size() - begin_) / size_ < count_)
-      throw FileError(file_, "ends after " + std::to_string(bytes_.size()) + " bytes, but its header gives " + std::to_string(count_) +
-                                 " points of " + std::to_string(size_) + " bytes from byte " + std::to_string(begin_) +
-                                 ": it is cut off; copy or export it again");
+      throw FileError(file_, Diagnostic("ends after ", bytes_.size(), " bytes, but its header gives ", count_, " points of ", size_,
+                                        " bytes from byte ", begin_, ": it is cut off; copy or export it again"));
   }
 
   const std::string& file_;
@@ -106,13 +108,13 @@ private:
 } // namespace
 
 PointTable
-readLasTable(const std::string& file, std::string_view bytes, std::vector<std::string>& warnings)
+readLasTable(const std::string& file, std::string_view bytes, Diagnostics& warnings)
 {
   const LasFile las(file, bytes);
   PointTable table = las.read();
   if (const std::size_t withheld = las.count() - table[0].size(); withheld > 0)
-    warnings.push_back(file + ": " + std::to_string(withheld) + " of " + std::to_string(las.count()) + " points " +
-                       (withheld == 1 ? "is" : "are") + " flagged withheld and " + (withheld == 1 ? "was" : "were") + " left out");
+    warnings.push_back(Diagnostic(file, ": ", withheld, " of ", las.count(), " points ", (withheld == 1 ? "is" : "are"),
+                                  " flagged withheld and ", (withheld == 1 ? "was" : "were"), " left out"));
   return table;
 }
 

@@ -24,7 +24,7 @@ takeVertex(const std::string& file, const std::vector<std::string_view>& words, 
   for (std::size_t c = 0; c < 3; ++c) {
     const std::optional<double> value = toNumber(words[c + 1]);
     if (!value)
-      throw FileError(file, atLine(number, inQuotes(words[c + 1]) + " is not a number"));
+      throw FileError(file, atLine(number, Diagnostic(inQuotes(words[c + 1]), " is not a number")));
     table[c].push_back(*value);
   }
 }
@@ -38,12 +38,12 @@ vertexOf(const std::string& file, std::string_view word, std::size_t number, std
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || value == 0)
-    throw FileError(file, atLine(number, inQuotes(word) + " names no vertex; a face needs numbers from 1, or negative numbers "
-                                                          "that count back; export the file again"));
+    throw FileError(file, atLine(number, Diagnostic(inQuotes(word), " names no vertex; a face needs numbers from 1, or negative numbers "
+                                                                    "that count back; export the file again")));
   const auto so_far = static_cast<std::int64_t>(vertices);
   if (value < -so_far)
-    throw FileError(file, atLine(number, inQuotes(word) + " counts back beyond the " + std::to_string(vertices) +
-                                             " vertices before it; export the file again"));
+    throw FileError(file, atLine(number, Diagnostic(inQuotes(word), " counts back beyond the ", vertices,
+                                                    " vertices before it; export the file again")));
   return value > 0 ? value - 1 : so_far + value;
 }
 

@@ -63,13 +63,13 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& what) const { throw FileError(file_, atLine(lines_.number(), what)); }
+  [[noreturn]] void fail(const Diagnostic& what) const { throw FileError(file_, atLine(lines_.number(), what)); }
 
   std::size_t count(std::string_view word) const
   {
     const std::optional<std::size_t> value = toCount(word);
     if (!value)
-      fail(inQuotes(word) + " is not a count");
+      fail(Diagnostic(inQuotes(word), " is not a count"));
     return *value;
   }
 
@@ -82,7 +82,7 @@ private:
     if (key == "VIEWPOINT")
       return takeViewPoint();
     if (words_.size() < 2)
-      fail(inQuotes(key) + " has no value in the header");
+      fail(Diagnostic(inQuotes(key), " has no value in the header"));
     if (key == "FIELDS" || key == "COLUMNS") {
       header_.names.assign(words_.begin() + 1, words_.end());
       header_.fields.resize(header_.names.size());
@@ -98,7 +98,7 @@ private:
     else if (key == "DATA")
       header_.data = words_[1];
     else
-      fail(inQuotes(key) + " is not a line of a PCD header; is this a PCD file?");
+      fail(Diagnostic(inQuotes(key), " is not a line of a PCD header; is this a PCD file?"));
   }
 
   /** Place of the scanner and a quaternion. The points are in the frame of the file, so only the place is used. */
@@ -119,8 +119,7 @@ private:
   void takeFields(std::string_view key)
   {
     if (words_.size() != header_.fields.size() + 1)
-      fail(std::string(key) + " has " + std::to_string(words_.size() - 1) + " entries for " + std::to_string(header_.fields.size()) +
-           " fields");
+      fail(Diagnostic(std::string(key), " has ", words_.size() - 1, " entries for ", header_.fields.size(), " fields"));
     for (std::size_t i = 0; i < header_.fields.size(); ++i) {
       const std::string_view word = words_[i + 1];
       if (key == "TYPE")
@@ -140,8 +139,7 @@ private:
     if (header_.points == 0 && product < 1e15)
       header_.points = width_ * height;
     if (width_ > 0 && product != static_cast<double>(header_.points))
-      fail("the header says WIDTH " + std::to_string(width_) + " and HEIGHT " + std::to_string(height) + ", but POINTS " +
-           std::to_string(header_.points));
+      fail(Diagnostic("the header says WIDTH ", width_, " and HEIGHT ", height, ", but POINTS ", header_.points));
     if (header_.points == 0)
       fail("the header says that there are no points");
     header_.row = width_ > 1 && height_ > 1 ? width_ : 0;
@@ -155,9 +153,9 @@ private:
       const bool real = field.type.kind == 'F' && (size == 4 || size == 8);
       const bool whole = (field.type.kind == 'I' || field.type.kind == 'U') && (size == 1 || size == 2 || size == 4 || size == 8);
       if (!real && !whole)
-        fail("the header has a field of TYPE " + std::string(1, field.type.kind) + " SIZE " + std::to_string(size));
+        fail(Diagnostic("the header has a field of TYPE ", std::string(1, field.type.kind), " SIZE ", size));
       if (field.count > most_values)
-        fail("the header has a field of COUNT " + std::to_string(field.count));
+        fail(Diagnostic("the header has a field of COUNT ", field.count));
       field.offset = header_.bytes_a_point;
       field.position = header_.words_a_point;
       header_.bytes_a_point += field.count * static_cast<std::size_t>(size);
@@ -176,8 +174,8 @@ private:
 [[noreturn]] void
 failCutOff(const std::string& file, std::size_t there, double needed)
 {
-  throw FileError(file, "is cut off: it ends at byte " + std::to_string(there) + ", but the points in its header need " +
-                            wholeNumber(needed) + " bytes; copy or export it again");
+  throw FileError(file, Diagnostic("is cut off: it ends at byte ", there, ", but the points in its header need ", wholeNumber(needed),
+                                   " bytes; copy or export it again"));
 }
 
 PointTable
@@ -193,19 +191,18 @@ readAscii(const std::string& file, std::string_view bytes, const PcdHeader& head
     splitWords(line, ' ', words);
     const std::size_t number = header.lines + lines.number();
     if (words.size() != header.words_a_point)
-      throw FileError(
-          file, atLine(number, std::to_string(words.size()) + " values, but the header names " + std::to_string(header.words_a_point)));
+      throw FileError(file, atLine(number, Diagnostic(words.size(), " values, but the header names ", header.words_a_point)));
     for (std::size_t c = 0; c < wanted.size(); ++c) {
       const std::string_view word = words[header.fields[wanted[c]].position];
       const std::optional<double> value = toNumber(word);
       if (!value)
-        throw FileError(file, atLine(number, inQuotes(word) + " is not a number"));
+        throw FileError(file, atLine(number, Diagnostic(inQuotes(word), " is not a number")));
       table[c].push_back(*value);
     }
   }
   if (table[0].size() < header.points)
-    throw FileError(file, atLine(header.lines + lines.number(), "the file ends after " + std::to_string(table[0].size()) + " of " +
-                                                                    std::to_string(header.points) + " points; copy or export it again"));
+    throw FileError(file, atLine(header.lines + lines.number(), Diagnostic("the file ends after ", table[0].size(), " of ", header.points,
+                                                                           " points; copy or export it again")));
   return table;
 }
 
@@ -225,7 +222,7 @@ requireValues(const std::string& file, const PcdHeader& header, const std::vecto
 {
   for (const std::size_t f : wanted)
     if (header.fields[f].count == 0)
-      throw FileError(file, "has no values of '" + header.names[f] + "': the header gives it COUNT 0; export it again");
+      throw FileError(file, Diagnostic("has no values of '", header.names[f], "': the header gives it COUNT 0; export it again"));
 }
 
 /** The body of a compressed file: all values of one field, then all values of the next. */
@@ -240,17 +237,15 @@ decompressed(const std::string& file, std::string_view bytes, const PcdHeader& h
   if (there < 8 + packed)
     failCutOff(file, bytes.size(), static_cast<double>(header.begin + 8 + packed));
   if (static_cast<double>(unpacked) != header.size())
-    throw FileError(file, "byte " + std::to_string(header.begin) + ": the packed points have " + std::to_string(unpacked) +
-                              " bytes, but by the header they have " + wholeNumber(header.size()));
+    throw FileError(file, Diagnostic("byte ", header.begin, ": the packed points have ", unpacked, " bytes, but by the header they have ",
+                                     wholeNumber(header.size())));
   if (static_cast<double>(unpacked) > most_packing * static_cast<double>(packed))
-    throw FileError(file, "byte " + std::to_string(header.begin) + ": " + std::to_string(packed) + " packed bytes cannot hold " +
-                              std::to_string(unpacked));
+    throw FileError(file, Diagnostic("byte ", header.begin, ": ", packed, " packed bytes cannot hold ", unpacked));
   std::string body(unpacked, '\0');
   const unsigned int got = pcl::lzfDecompress(bytes.data() + header.begin + 8, static_cast<unsigned int>(packed), body.data(),
                                               static_cast<unsigned int>(unpacked));
   if (got != unpacked)
-    throw FileError(file,
-                    "byte " + std::to_string(header.begin + 8) + ": the packed points cannot be unpacked; copy or export the file again");
+    throw FileError(file, Diagnostic("byte ", header.begin + 8, ": the packed points cannot be unpacked; copy or export the file again"));
   return body;
 }
 
@@ -292,7 +287,7 @@ readPcdTable(const std::string& file, std::string_view bytes, const Names& wante
   if (header.data == "binary_compressed")
     return readBinary(decompressed(file, bytes, header), header, fields, true);
   if (header.data != "binary")
-    throw FileError(file, atLine(header.lines, "DATA " + inQuotes(header.data) + " must be ascii, binary or binary_compressed"));
+    throw FileError(file, atLine(header.lines, Diagnostic("DATA ", inQuotes(header.data), " must be ascii, binary or binary_compressed")));
   if ((bytes.size() - std::min(header.begin, bytes.size())) / header.bytes_a_point < header.points)
     failCutOff(file, bytes.size(), static_cast<double>(header.begin) + header.size());
   return readBinary(bytes.substr(header.begin), header, fields, false);

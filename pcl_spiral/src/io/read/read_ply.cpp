@@ -2,7 +2,7 @@
 #include "face_list.h"
 #include "ply_header.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 
 #include <algorithm>
@@ -55,20 +55,20 @@ public:
         by_lines ? readLine(element, vertices, i) : header_.ascii ? readWords(element, vertices, i) : readRecord(element, i);
     }
     if (std::string_view word; header_.ascii && rows == AsciiRows::Words && scanner_.next(word))
-      throw FileError(file_,
-                      atLine(scanner_.number(), inQuotes(word) + " comes after the last value that the header names; export it again"));
+      throw FileError(file_, atLine(scanner_.number(),
+                                    Diagnostic(inQuotes(word), " comes after the last value that the header names; export it again")));
     if (!found || table_[0].empty())
       throw FileError(file_, "holds no vertices; export it again");
     return std::move(table_);
   }
 
 private:
-  [[noreturn]] void failLine(const std::string& what) const { throw FileError(file_, atLine(lines_.number(), what)); }
+  [[noreturn]] void failLine(const Diagnostic& what) const { throw FileError(file_, atLine(lines_.number(), what)); }
 
   [[noreturn]] void failEnd(const PlyElement& element, std::size_t i) const
   {
-    throw FileError(file_, "is cut off at byte " + std::to_string(bytes_.size()) + ", in " + element.name + " " + std::to_string(i + 1) +
-                               " of " + std::to_string(element.count) + "; copy or export it again");
+    throw FileError(file_, Diagnostic("is cut off at byte ", bytes_.size(), ", in ", element.name, " ", i + 1, " of ", element.count,
+                                      "; copy or export it again"));
   }
 
   void settleColumns(const PlyElement& element)
@@ -78,7 +78,7 @@ private:
     const std::vector<std::size_t> positions = columnsOf(file_, element.propertyNames(), wanted_);
     for (std::size_t c = 0; c < positions.size(); ++c) {
       if (element.properties[positions[c]].list)
-        throw FileError(file_, "has a list for '" + wanted_[c] + "', but one number per vertex is needed");
+        throw FileError(file_, Diagnostic("has a list for '", wanted_[c], "', but one number per vertex is needed"));
       column_of_[positions[c]] = c;
     }
     table_.resize(wanted_.size());
@@ -116,11 +116,11 @@ private:
       return;
     splitWords(line, ' ', words_);
     if (words_.size() < element.properties.size())
-      failLine(std::to_string(words_.size()) + " values, but the header names " + std::to_string(element.properties.size()));
+      failLine(Diagnostic(words_.size(), " values, but the header names ", element.properties.size()));
     std::size_t word = 0;
     for (std::size_t p = 0; p < element.properties.size(); ++p, ++word) {
       if (word >= words_.size())
-        failLine(std::to_string(words_.size()) + " values, too few for the lists in the line");
+        failLine(Diagnostic(words_.size(), " values, too few for the lists in the line"));
       const double value = numberIn(word);
       if (column_of_[p] != no_column)
         table_[column_of_[p]].push_back(value);
@@ -165,7 +165,7 @@ private:
   {
     const std::optional<double> value = toNumber(word);
     if (!value)
-      throw FileError(file_, atLine(line, inQuotes(word) + " is not a number"));
+      throw FileError(file_, atLine(line, Diagnostic(inQuotes(word), " is not a number")));
     return *value;
   }
 
@@ -174,8 +174,7 @@ private:
   void takeFaceWords(std::size_t first, std::size_t count)
   {
     if (count > words_.size() - first)
-      failLine("a list of " + std::to_string(count) + " corners, but the line has " + std::to_string(words_.size() - first) +
-               "; is the file cut off?");
+      failLine(Diagnostic("a list of ", count, " corners, but the line has ", words_.size() - first, "; is the file cut off?"));
     for (std::size_t k = 0; k < count; ++k)
       takeCorner(numberIn(first + k), lines_.number());
     faces_->close(lines_.number());
@@ -207,8 +206,7 @@ private:
   {
     constexpr double most = 1e15;
     if (!(std::abs(value) < most) || value != std::floor(value))
-      throw FileError(file_, std::string(faces_->place_word) + " " + std::to_string(place) + ": " + textOf(value) +
-                                 " names no vertex; export it again");
+      throw FileError(file_, Diagnostic(std::string(faces_->place_word), " ", place, ": ", value, " names no vertex; export it again"));
     faces_->corners.push_back(static_cast<std::int64_t>(value));
   }
 
@@ -216,7 +214,7 @@ private:
   std::size_t listSize(double value) const
   {
     if (!(value >= 0.0))
-      throw FileError(file_, "has a list of " + std::to_string(value) + " entries");
+      throw FileError(file_, Diagnostic("has a list of ", value, " entries"));
     return static_cast<std::size_t>(std::min(value, 1e15));
   }
 

@@ -14,11 +14,11 @@ void
 takePoint(const std::string& file, const std::vector<std::string_view>& words, std::size_t number, PointTable& table)
 {
   if (words.size() < 3)
-    throw FileError(file, atLine(number, std::to_string(words.size()) + " column(s), but x, y, z are needed; is the file cut off?"));
+    throw FileError(file, atLine(number, Diagnostic(words.size(), " column(s), but x, y, z are needed; is the file cut off?")));
   for (std::size_t c = 0; c < 3; ++c) {
     const std::optional<double> value = toNumber(unquoted(words[c]));
     if (!value)
-      throw FileError(file, atLine(number, inQuotes(words[c]) + " is not a number"));
+      throw FileError(file, atLine(number, Diagnostic(inQuotes(words[c]), " is not a number")));
     table[c].push_back(*value);
   }
 }
@@ -40,7 +40,7 @@ readPtsTable(const std::string& file, std::string_view bytes, const TextLayout& 
   LineScanner lines(bytes);
   std::string_view line;
   std::vector<std::string_view> words;
-  std::vector<std::string> titles;
+  Diagnostics titles;
   std::size_t left = 0; // points of the block that a count has announced
   while (lines.next(line)) {
     if (line.empty() || lines.number() <= layout.skipped)
@@ -55,19 +55,20 @@ readPtsTable(const std::string& file, std::string_view bytes, const TextLayout& 
     if (count)
       left = *count;
     else if (table[0].empty() && isTitle(words))
-      titles.push_back(atLine(lines.number(), inQuotes(line)));
+      titles.push_back(atLine(lines.number(), Diagnostic(inQuotes(line))));
     else
-      throw FileError(file, atLine(lines.number(), inQuotes(line) + " must be the number of points that follow; if the file has no such "
-                                                                    "line, rename it to .xyz, or correct the number before it"));
+      throw FileError(
+          file, atLine(lines.number(), Diagnostic(inQuotes(line), " must be the number of points that follow; if the file has no such "
+                                                                  "line, rename it to .xyz, or correct the number before it")));
   }
   if (left > 0)
-    throw FileError(file, "ends " + std::to_string(left) +
-                              " points before the number that its heading gives: it is cut off; copy or "
-                              "export it again");
+    throw FileError(file, Diagnostic("ends ", left,
+                                     " points before the number that its heading gives: it is cut off; copy or "
+                                     "export it again"));
   if (table[0].empty())
-    throw FileError(file, "holds no points (" + std::to_string(lines.number()) + " lines)");
-  if (const std::string warning = titleWarning(titles); layout.warnings && !warning.empty())
-    layout.warnings->push_back(file + ": " + warning);
+    throw FileError(file, Diagnostic("holds no points (", lines.number(), " lines)"));
+  if (const Diagnostic warning = titleWarning(titles); layout.warnings && !warning.empty())
+    layout.warnings->push_back(Diagnostic(file, ": ", warning));
   return table;
 }
 

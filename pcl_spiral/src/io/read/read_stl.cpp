@@ -88,13 +88,13 @@ PointTable
 readBinary(const std::string& file, std::string_view bytes, FaceList* faces)
 {
   if (bytes.size() < header_bytes)
-    throw FileError(file, "is not an STL file, neither ascii nor binary (" + std::to_string(bytes.size()) + " bytes)");
+    throw FileError(file, Diagnostic("is not an STL file, neither ascii nor binary (", bytes.size(), " bytes)"));
   const std::size_t triangles = triangleCount(bytes);
   if (triangles == 0)
     throw FileError(file, "byte 80: by its header the file has no triangles; export it again");
   if (bytes.size() < header_bytes + triangles * triangle_bytes)
-    throw FileError(file, "is cut off at byte " + std::to_string(bytes.size()) + ": its " + std::to_string(triangles) + " triangles need " +
-                              std::to_string(header_bytes + triangles * triangle_bytes) + " bytes; copy or export it again");
+    throw FileError(file, Diagnostic("is cut off at byte ", bytes.size(), ": its ", triangles, " triangles need ",
+                                     header_bytes + triangles * triangle_bytes, " bytes; copy or export it again"));
   Corners corners;
   for (std::size_t t = 0; t < triangles; ++t) {
     const std::size_t place = header_bytes + t * triangle_bytes;
@@ -118,8 +118,8 @@ closeFacet(const std::string& file, std::size_t number, FaceList& faces)
   if (faces.open() == 0)
     return;
   if (faces.open() != 3)
-    throw FileError(file, atLine(number, "a facet of " + std::to_string(faces.open()) +
-                                             " corners begins here, but STL has triangles; export the file again"));
+    throw FileError(file, atLine(number, Diagnostic("a facet of ", faces.open(),
+                                                    " corners begins here, but STL has triangles; export the file again")));
   faces.close(number);
 }
 
@@ -132,7 +132,7 @@ cornerOf(const std::string& file, const std::vector<std::string_view>& words, st
   for (std::size_t c = 0; c < 3; ++c) {
     const std::optional<double> value = toNumber(words[c + 1]);
     if (!value)
-      throw FileError(file, atLine(number, inQuotes(words[c + 1]) + " is not a number"));
+      throw FileError(file, atLine(number, Diagnostic(inQuotes(words[c + 1]), " is not a number")));
     corner[c] = static_cast<float>(*value);
   }
   return corner;

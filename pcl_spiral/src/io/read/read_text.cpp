@@ -78,8 +78,8 @@ public:
         takeLine(line, lines.number());
     }
     if (table_.empty() || table_[0].empty())
-      throw FileError(file_, "holds no points (" + std::to_string(lines.number()) + " lines" +
-                                 (layout_.skipped > 0 ? ", the first " + std::to_string(layout_.skipped) + " skipped)" : ")"));
+      throw FileError(file_, Diagnostic("holds no points (", lines.number(), " lines",
+                                        layout_.skipped > 0 ? Diagnostic(", the first ", layout_.skipped, " skipped)") : ")"));
     checkLead();
     return std::move(table_);
   }
@@ -90,7 +90,7 @@ private:
     refuseWideText(file_, bytes_);
     const std::size_t zero = bytes_.find('\0');
     if (zero != std::string_view::npos)
-      throw FileError(file_, "byte " + std::to_string(zero) + ": this is not a text file; write it as plain text (UTF-8)");
+      throw FileError(file_, Diagnostic("byte ", zero, ": this is not a text file; write it as plain text (UTF-8)"));
   }
 
   bool isPassedOver(std::size_t number) const
@@ -105,14 +105,14 @@ private:
   {
     const std::size_t there = table_[0].size();
     if (lead_.count_line > 0 && lead_.count != static_cast<double>(there))
-      throw FileError(file_, atLine(lead_.count_line, "this should be the number of points, " + wholeNumber(lead_.count) + ", but " +
-                                                          std::to_string(there) +
-                                                          " follow: if the file is cut off, copy or export it "
-                                                          "again; if the line means something else, skip the lines up to it "
-                                                          "(ReadOptions::skip_lines " +
-                                                          std::to_string(lead_.count_line) + ")"));
-    if (const std::string warning = titleWarning(lead_.titles); layout_.warnings && !warning.empty())
-      layout_.warnings->push_back(file_ + ": " + warning);
+      throw FileError(
+          file_, atLine(lead_.count_line, Diagnostic("this should be the number of points, ", wholeNumber(lead_.count), ", but ", there,
+                                                     " follow: if the file is cut off, copy or export it "
+                                                     "again; if the line means something else, skip the lines up to it "
+                                                     "({ReadOptions::skip_lines} ",
+                                                     lead_.count_line, ")")));
+    if (const Diagnostic warning = titleWarning(lead_.titles); layout_.warnings && !warning.empty())
+      layout_.warnings->push_back(Diagnostic(file_, ": ", warning));
   }
 
   /** "# x y z" or "//X Y Z" above the points names the columns; many programs write this. */
@@ -139,9 +139,9 @@ private:
     takeNumbers(number);
   }
 
-  static std::string orSkip(std::size_t number)
+  static Diagnostic orSkip(std::size_t number)
   {
-    return "; if it is no point, skip it (ReadOptions::skip_lines " + std::to_string(number) + ")";
+    return Diagnostic("; if it is no point, skip it ({ReadOptions::skip_lines} ", number, ")");
   }
 
   /** Finds the wanted columns, from the first line that is not a comment. */
@@ -149,41 +149,41 @@ private:
   {
     started_ = true;
     const bool named_by_user = !layout_.columns.empty();
-    const std::string or_skip = orSkip(number);
+    const Diagnostic or_skip = orSkip(number);
     if (header && !named_by_user)
       names_ = namesIn(words_);
     if (words_.size() < wanted_.size())
-      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " column(s), but " + joined(wanted_) +
-                                                " are needed; see ReadOptions::columns" + or_skip));
+      throw FileError(file_, atLine(number, Diagnostic(words_.size(), " column(s), but ", joined(wanted_),
+                                                       " are needed; see {ReadOptions::columns}", or_skip)));
     if (names_.empty())
       names_ = wanted_;
     if (header && !named_by_user && find(names_, wanted_[0]) == names_.size())
-      throw FileError(file_, atLine(number, inQuotes(words_[0]) + " is neither a number nor a heading with " + joined(wanted_) +
-                                                "; name the columns (ReadOptions::columns)" + or_skip));
+      throw FileError(file_, atLine(number, Diagnostic(inQuotes(words_[0]), " is neither a number nor a heading with ", joined(wanted_),
+                                                       "; name the columns ({ReadOptions::columns})", or_skip)));
     if (normals_ == NormalColumns::Read)
       wanted_ = withNormals(names_, wanted_);
     positions_ = columnsOf(file_, names_, wanted_);
     width_ = words_.size();
     const std::size_t last = *std::max_element(positions_.begin(), positions_.end());
     if (last >= width_)
-      throw FileError(file_, atLine(number, std::to_string(width_) + " columns, but column " + std::to_string(last + 1) +
-                                                " is needed; see ReadOptions::columns"));
+      throw FileError(file_,
+                      atLine(number, Diagnostic(width_, " columns, but column ", last + 1, " is needed; see {ReadOptions::columns}")));
     table_.resize(wanted_.size());
   }
 
   void takeNumbers(std::size_t number)
   {
     if (words_.size() != width_)
-      throw FileError(file_, atLine(number, std::to_string(words_.size()) + " columns, but the lines before have " +
-                                                std::to_string(width_) + "; is the file cut off?"));
+      throw FileError(file_,
+                      atLine(number, Diagnostic(words_.size(), " columns, but the lines before have ", width_, "; is the file cut off?")));
     for (std::size_t c = 0; c < positions_.size(); ++c) {
       const std::string_view word = unquoted(words_[positions_[c]]);
       const std::optional<double> value = toNumber(word);
       if (!value) {
         const bool comma = word.find_first_of(", \t") != std::string_view::npos || word.substr(0, 1) == "\""; // "1,5" is cut at its comma
-        throw FileError(file_,
-                        atLine(number, inQuotes(word) + " is not a number" + (comma ? "; write decimals with a point, not a comma" : "") +
-                                           (table_.back().empty() ? orSkip(number) : "")));
+        throw FileError(file_, atLine(number, Diagnostic(inQuotes(word), " is not a number",
+                                                         (comma ? "; write decimals with a point, not a comma" : ""),
+                                                         (table_.back().empty() ? orSkip(number) : ""))));
       }
       table_[c].push_back(*value);
     }
@@ -225,7 +225,7 @@ columnsOf(const std::string& file, const Names& names, const Names& wanted)
   for (const std::string& name : wanted) {
     positions.push_back(find(names, name));
     if (positions.back() == names.size())
-      throw FileError(file, "has no '" + name + "'; it has: " + joined(names));
+      throw FileError(file, Diagnostic("has no '", name, "'; it has: ", joined(names)));
   }
   return positions;
 }

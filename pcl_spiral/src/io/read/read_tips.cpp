@@ -62,7 +62,7 @@ readTips(const std::string& file, const Eigen::Vector3d& origin)
   for (std::size_t i = 0; i < size; ++i) {
     const Eigen::Vector3d axis(table[3][i], table[4][i], table[5][i]);
     if (!(axis.norm() > 1e-6))
-      throw FileError(file, "point " + std::to_string(i + 1) + " has no tool axis: its three components are 0");
+      throw FileError(file, Diagnostic("point ", i + 1, " has no tool axis: its three components are 0"));
     read.tips.push_back(Eigen::Vector3d(table[0][i], table[1][i], table[2][i]) - origin);
     ToolpathPoint& point = read.path[i];
     point.getVector3fMap() = read.tips[i].cast<float>();

@@ -41,12 +41,12 @@ public:
   {
     const auto found = arrays_.find(name);
     if (found == arrays_.end() || found->second.components != components)
-      fail("has no point data " + name + "; it is not a toolpath of pcl_spiral");
+      fail(Diagnostic("has no point data ", name, "; it is not a toolpath of pcl_spiral"));
     const VtpArray& array = found->second;
     const auto width = static_cast<std::size_t>(array.type.size);
     const std::string_view data = block(name, array);
     if (data.size() / (width * components) != points_ || data.size() % (width * components) != 0)
-      fail("has " + std::to_string(data.size()) + " bytes of " + name + " for " + std::to_string(points_) + " points");
+      fail(Diagnostic("has ", data.size(), " bytes of ", name, " for ", points_, " points"));
     for (std::size_t c = 0; c < components; ++c) {
       table.emplace_back(points_);
       for (std::size_t i = 0; i < points_; ++i)
@@ -59,14 +59,14 @@ public:
   {
     const auto found = arrays_.find("Lines " + name);
     if (found == arrays_.end())
-      fail("has no array " + name + " of its lines, which defines its polylines; it is not a toolpath of pcl_spiral");
+      fail(Diagnostic("has no array ", name, " of its lines, which defines its polylines; it is not a toolpath of pcl_spiral"));
     const auto width = static_cast<std::size_t>(found->second.type.size);
     const std::string_view data = block(name, found->second);
     std::vector<std::size_t> numbers(data.size() / width);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double number = loadField(data.data() + i * width, found->second.type);
       if (!(number >= 0.0 && number < 1e12))
-        fail("has the number " + std::to_string(number) + " among the " + name + " of its lines");
+        fail(Diagnostic("has the number ", number, " among the ", name, " of its lines"));
       numbers[i] = static_cast<std::size_t>(number);
     }
     return numbers;
@@ -79,27 +79,25 @@ public:
     std::size_t next = 0, begin = 0; // the next point and the next entry
     for (const std::size_t end : ends) {
       if (end <= begin || end > points.size())
-        fail("has polylines that end at entries " + std::to_string(begin) + " and " + std::to_string(end) + " of " +
-             std::to_string(points.size()));
+        fail(Diagnostic("has polylines that end at entries ", begin, " and ", end, " of ", points.size()));
       if (next > 0)
         begins.push_back(next);
       const bool alone = end == begin + 2 && points[begin] == points[begin + 1]; // a pass of one point, written twice
       for (std::size_t i = begin; i < end - (alone ? 1 : 0); ++i, ++next)
         if (points[i] != next)
-          fail("has polylines whose points are not in order: point " + std::to_string(points[i]) + " comes where point " +
-               std::to_string(next) + " must come; give the path as .csv");
+          fail(Diagnostic("has polylines whose points are not in order: point ", points[i], " comes where point ", next,
+                          " must come; give the path as .csv"));
       begin = end;
     }
     if (next != points_)
-      fail("has polylines through only " + std::to_string(next) + " of its " + std::to_string(points_) +
-           " points; a path must go through all points");
+      fail(Diagnostic("has polylines through only ", next, " of its ", points_, " points; a path must go through all points"));
     return begins;
   }
 
 private:
   using Attributes = std::map<std::string_view, std::string_view>;
 
-  [[noreturn]] void fail(const std::string& what) const { throw FileError(file_, what); }
+  [[noreturn]] void fail(const Diagnostic& what) const { throw FileError(file_, what); }
 
   /** Reads up to the tag of the appended data. */
   void readTags()
@@ -164,7 +162,7 @@ private:
   {
     const std::optional<std::size_t> count = toCount(value(attributes, name));
     if (!count)
-      fail("has " + std::string(name) + " " + inQuotes(value(attributes, name)) + ", which is not a count");
+      fail(Diagnostic("has ", std::string(name), " ", inQuotes(value(attributes, name)), ", which is not a count"));
     return *count;
   }
 
@@ -217,7 +215,7 @@ private:
       if (size <= rest.size())
         return rest.substr(0, size);
     }
-    fail("is cut off at byte " + std::to_string(bytes_.size()) + ", in " + name + "; make it again");
+    fail(Diagnostic("is cut off at byte ", bytes_.size(), ", in ", name, "; make it again"));
   }
 
   std::string file_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scaled_points.h"
 
-#include "common/formatted_text.h"
 #include "found_shift.h"
 
 #include <algorithm>
@@ -13,10 +12,10 @@ namespace {
 
 constexpr double smallest_likely_size = 5.0; ///< mm; smaller parts are probably read in the wrong unit
 
-std::string
+Diagnostic
 inMillimetres(double value)
 {
-  return formatted("%.3g mm", value);
+  return Diagnostic(value, " {mm}");
 }
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr
@@ -37,7 +36,7 @@ movedPoints(const PointTable& table, const ReadOptions& options, const Eigen::Ve
 }
 
 /** \p far: the coordinates are those of a map, which a shift takes away. */
-std::vector<std::string>
+Diagnostics
 scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& cloud, bool far, bool shifted)
 {
   double largest = 0.0;
@@ -51,18 +50,20 @@ scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& clo
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
   if (const double rounding = floatRounding(largest); rounding > noticed_rounding)
     warnings.push_back(
-        file + ": coordinates " + (shifted ? "still " : "") + "reach " + inMillimetres(largest) +
-        ", where single precision rounds them by up to " + inMillimetres(rounding) +
-        (far && !shifted ? "; subtract a point near the part (ReadOptions::origin), or have one found (ReadOptions::find_origin)"
-                         : "; the points are spread that far, and no origin avoids it; remove points far from the part, if there are any"));
+        Diagnostic(file, ": coordinates ", (shifted ? "still " : ""), "reach ", inMillimetres(largest),
+                   ", where single precision rounds them by up to ", inMillimetres(rounding),
+                   (far && !shifted
+                        ? "; subtract a point near the part ({ReadOptions::origin}), or have one found ({ReadOptions::find_origin})"
+                        : "; the points are spread that far, and no origin avoids it; remove points far from the part, if there are any")));
   const double size = (high - low).norm();
   if (largest > 0.0 && size < smallest_likely_size)
-    warnings.push_back(file + ": the part is " + inMillimetres(size) +
-                       (far ? " across, at map coordinates, which are usually in metres or feet; give their unit (ReadOptions::unit)"
-                            : " across; if the scan is in metres or inches, give its unit (ReadOptions::unit)"));
+    warnings.push_back(
+        Diagnostic(file, ": the part is ", inMillimetres(size),
+                   (far ? " across, at map coordinates, which are usually in metres or feet; give their unit ({ReadOptions::unit})"
+                        : " across; if the scan is in metres or inches, give its unit ({ReadOptions::unit})")));
   return warnings;
 }
 

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "point_table.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
@@ -15,7 +17,7 @@ struct ScaledPoints {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud; ///< never null
   Eigen::Vector3d shift;                     ///< see Scan::shift
   /** If rounding to float changes points by more than 0.001 mm, or if the size suggests another unit. */
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
 };
 
 /** The columns x y z of \p file as points: scaled and shifted in double precision, then rounded to float. */

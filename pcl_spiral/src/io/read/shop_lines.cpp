@@ -22,8 +22,8 @@ readLines(YamlSettings& settings, const std::string& name)
   else
     lines = settings.value<std::vector<std::string>>(name, "[M8]");
   for (const std::string& line : lines)
-    if (const std::string fault = faultOfShopLine(line); !fault.empty())
-      settings.fail(node, "the line '" + line + "' of " + name + " " + fault);
+    if (const Diagnostic fault = faultOfShopLine(line); !fault.empty())
+      settings.fail(node, Diagnostic("the line '", line, "' of ", name, " ", fault));
   return lines;
 }
 
@@ -33,8 +33,8 @@ readWord(YamlSettings& settings, const std::string& name, const std::string& exa
   if (!settings.has(name))
     return {};
   const auto word = settings.value<std::string>(name, example);
-  if (const std::string fault = faultOfShopLine(word); !fault.empty())
-    settings.fail(settings.at(name, example), "the word '" + word + "' of " + name + " " + fault);
+  if (const Diagnostic fault = faultOfShopLine(word); !fault.empty())
+    settings.fail(settings.at(name, example), Diagnostic("the word '", word, "' of ", name, " ", fault));
   return word;
 }
 

@@ -45,8 +45,8 @@ refuseWideText(const std::string& file, std::string_view bytes)
     return;
   const std::filesystem::path path(file);
   const std::string converted = (path.parent_path() / (path.stem().string() + "_utf8" + path.extension().string())).string();
-  throw FileError(file, std::string("is text in ") + encoding + ", and text in UTF-8 is needed; convert it: iconv -f " + encoding +
-                            " -t UTF-8 " + shellFile(file) + " > " + shellFile(converted));
+  throw FileError(file, Diagnostic("is text in ", encoding, ", and text in UTF-8 is needed; convert it: iconv -f ", encoding, " -t UTF-8 ",
+                                   shellFile(file), " > ", shellFile(converted)));
 }
 
 } // namespace pcl_spiral

@@ -110,20 +110,20 @@ leadOf(std::string_view bytes, std::size_t skipped, const Names& wanted)
       lead.count_line = line.number;
     }
     else
-      lead.titles.push_back(atLine(line.number, inQuotes(line.text)));
+      lead.titles.push_back(atLine(line.number, Diagnostic(inQuotes(line.text))));
   }
   return lead;
 }
 
-std::string
-titleWarning(const std::vector<std::string>& titles)
+Diagnostic
+titleWarning(const Diagnostics& titles)
 {
   if (titles.empty())
     return {};
   const std::size_t more = titles.size() - 1;
-  return titles.front() + (more == 0 ? " is no point and was passed over"
-                                     : " and " + std::to_string(more) + (more == 1 ? " more line are" : " more lines are") +
-                                           " no points and were passed over");
+  if (more == 0)
+    return Diagnostic(titles.front(), " is no point and was passed over");
+  return Diagnostic(titles.front(), " and ", more, more == 1 ? " more line are" : " more lines are", " no points and were passed over");
 }
 
 } // namespace pcl_spiral

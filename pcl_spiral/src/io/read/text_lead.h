@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "point_table.h"
 
 #include <string>
@@ -15,7 +17,7 @@ namespace pcl_spiral {
 /** Lines of a text that are neither points nor the heading of the columns. */
 struct TextLead {
   std::vector<std::size_t> passed; ///< numbers of these lines, rising
-  std::vector<std::string> titles; ///< "line 1: 'Scan of part 7'" for each that is no number of points
+  Diagnostics titles;              ///< "line 1: 'Scan of part 7'" for each that is no number of points
   std::size_t count_line = 0;      ///< the line with the number of points; 0: none
   double count = 0.0;              ///< the number of points in it; of two numbers, rows and columns, their product
 };
@@ -27,6 +29,6 @@ bool namesAll(const std::vector<std::string_view>& words, const Names& wanted);
 TextLead leadOf(std::string_view bytes, std::size_t skipped, const Names& wanted);
 
 /** What to tell of \p titles; empty if there are none. */
-std::string titleWarning(const std::vector<std::string>& titles);
+Diagnostic titleWarning(const Diagnostics& titles);
 
 } // namespace pcl_spiral

@@ -131,10 +131,10 @@ toCount(std::string_view word)
   return static_cast<std::size_t>(*value);
 }
 
-std::string
-atLine(std::size_t number, const std::string& what)
+Diagnostic
+atLine(std::size_t number, const Diagnostic& what)
 {
-  return "line " + std::to_string(number) + ": " + what;
+  return Diagnostic("line ", number, ": ", what);
 }
 
 std::string

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -73,7 +75,7 @@ std::optional<double> toNumber(std::string_view word);
 std::optional<std::size_t> toCount(std::string_view word);
 
 /** "line 7: what" */
-std::string atLine(std::size_t number, const std::string& what);
+Diagnostic atLine(std::size_t number, const Diagnostic& what);
 
 /** A count for a message, without decimals. */
 std::string wholeNumber(double value);

@@ -106,9 +106,8 @@ requireOrder(const std::string& file, const pcl::PointCloud<ToolpathPoint>& path
     if (path[i].arc_length < path[i - 1].arc_length && falls++ == 0)
       first = i;
   if (falls * rows_per_pass > path.size())
-    throw FileError(file, "the points are not in the order of the path: the arc length falls at " + std::to_string(falls) + " of " +
-                              std::to_string(path.size()) + " points, first at point " + std::to_string(first + 1) +
-                              "; sort the rows by arc_length");
+    throw FileError(file, Diagnostic("the points are not in the order of the path: the arc length falls at ", falls, " of ", path.size(),
+                                     " points, first at point ", first + 1, "; sort the rows by arc_length"));
 }
 
 /** Keeps the arc length unchanged on the way to each of \p passes: each polyline is a separate pass. */
@@ -167,7 +166,7 @@ readToolpath(const std::string& file, const Eigen::Vector3d& origin)
         read.tips.push_back(Eigen::Vector3d(tips[0][i], tips[1][i], tips[2][i]) - origin);
     return read;
   }
-  throw FileError(file, "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
+  throw FileError(file, Diagnostic("extension '", extension, "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp"));
 }
 
 } // namespace pcl_spiral

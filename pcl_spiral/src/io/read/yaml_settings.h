@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 
 #include <Eigen/Core>
@@ -22,12 +23,12 @@ public:
   YamlSettings(std::string file, const YAML::Node& node, std::string what) : file_(std::move(file)), node_(node), what_(std::move(what))
   {
     if (!node_.IsMap())
-      fail(node_, what_ + " needs lines such as 'name: value'");
+      fail(node_, Diagnostic(what_, " needs lines such as 'name: value'"));
   }
 
-  [[noreturn]] void fail(const YAML::Node& node, const std::string& reason) const
+  [[noreturn]] void fail(const YAML::Node& node, const Diagnostic& reason) const
   {
-    throw FileError(file_, "line " + std::to_string(node.Mark().line + 1) + ": " + reason);
+    throw FileError(file_, Diagnostic("line ", node.Mark().line + 1, ": ", reason));
   }
   bool has(const std::string& name)
   {
@@ -38,7 +39,7 @@ public:
   YAML::Node at(const std::string& name, const std::string& example)
   {
     if (!has(name))
-      fail(node_, what_ + " has no " + name + "; give it, such as " + name + ": " + example);
+      fail(node_, Diagnostic(what_, " has no ", name, "; give it, such as ", name, ": ", example));
     return node_[name];
   }
   template <typename Value>
@@ -49,21 +50,21 @@ public:
       return node.as<Value>();
     }
     catch (const YAML::Exception&) {
-      fail(node, name + " of " + what_ + " cannot be read; write it as " + name + ": " + example);
+      fail(node, Diagnostic(name, " of ", what_, " cannot be read; write it as ", name, ": ", example));
     }
   }
   double number(const std::string& name, const std::string& example)
   {
     const double number = value<double>(name, example);
     if (!std::isfinite(number))
-      fail(node_[name], name + " of " + what_ + " is not finite; write it as " + name + ": " + example);
+      fail(node_[name], Diagnostic(name, " of ", what_, " is not finite; write it as ", name, ": ", example));
     return number;
   }
   Eigen::Vector3d vector(const std::string& name, const std::string& example)
   {
     const auto v = value<std::vector<double>>(name, example);
     if (v.size() != 3)
-      fail(node_[name], name + " of " + what_ + " needs three numbers, such as " + name + ": " + example);
+      fail(node_[name], Diagnostic(name, " of ", what_, " needs three numbers, such as ", name, ": ", example));
     return {v[0], v[1], v[2]};
   }
   const YAML::Node& node() const { return node_; }
@@ -73,7 +74,7 @@ public:
     for (const auto& entry : node_) {
       const std::string name = entry.first.as<std::string>();
       if (std::find(asked_.begin(), asked_.end(), name) == asked_.end())
-        fail(entry.first, "'" + name + "' is not a setting of " + what_ + "; its settings are " + listed());
+        fail(entry.first, Diagnostic("'", name, "' is not a setting of ", what_, "; its settings are ", listed()));
     }
   }
 

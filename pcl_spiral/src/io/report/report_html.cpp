@@ -5,7 +5,7 @@
 #include "mesh/mesh_findings.h"
 #include "report_writer.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/impl/side_text.h>
 
 #include <algorithm>
@@ -103,22 +103,23 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
 }
 
 HtmlRows
-meshRows(const RunMesh& mesh)
+meshRows(const RunMesh& mesh, const Vocabulary& words)
 {
   const MeshCounts& c = mesh.counts;
   HtmlRows rows{{"Mesh", formatted("%zu faces, %zu vertices, %zu boundaries", c.faces, c.vertices, c.loops)}};
-  if (const std::string found = findingsText(c); !found.empty())
-    rows.push_back({"Found in it", found});
+  if (const Diagnostic found = findingsText(c); !found.empty())
+    rows.push_back({"Found in it", found.text(words)});
   if (c.creases.count > 0)
     rows.push_back({"Creases", formatted("%.1f mm, %zu edges", c.crease_length, c.creases.count)});
   return rows;
 }
 
 void
-addSurface(HtmlPage& page, const std::optional<RunMesh>& mesh, const SpiralReport& r)
+addSurface(HtmlPage& page, const RunFiles& files, const SpiralReport& r)
 {
+  const std::optional<RunMesh>& mesh = files.mesh;
   page.addHeading(mesh ? "Surface" : "Scanned surface");
-  HtmlRows rows = mesh ? meshRows(*mesh) : HtmlRows();
+  HtmlRows rows = mesh ? meshRows(*mesh, files.words) : HtmlRows();
   rows.push_back({mesh ? "Samples of its curved surface" : "Points", formatted("%zu, %zu of them used", r.input_points, r.used_points)});
   const auto dropped = [&](std::size_t count, const char* why) {
     if (count > 0)
@@ -132,7 +133,7 @@ addSurface(HtmlPage& page, const std::optional<RunMesh>& mesh, const SpiralRepor
   rows.push_back({"Point spacing, median", formatted("%.4g mm", r.spacing)});
   rows.push_back({mesh ? "Samples off the local fits, standard deviation" : "Noise of a single point, standard deviation",
                   formatted("%.2g mm", r.noise)});
-  rows.push_back({"Side of the cutter", sideText(r.side)});
+  rows.push_back({"Side of the cutter", sideText(r.side).text(files.words)});
   for (const BoundaryLoop& loop : r.loops) {
     const char* const name = loop.type == LoopType::Outer   ? "Outer rim"
                              : loop.type == LoopType::Inner ? "Inner loop"
@@ -225,25 +226,25 @@ addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verific
 /** The figures of a judged path; adds its warnings to \p warnings, each once. */
 void
 addJudged(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const Verification& verification,
-          const std::vector<ReportPicture>& pictures, std::vector<std::string>& warnings)
+          const std::vector<ReportPicture>& pictures, Diagnostics& warnings)
 {
-  for (const std::string& warning : warningsOf(verification))
+  for (const Diagnostic& warning : warningsOf(verification))
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
       warnings.push_back(warning);
-  const VerificationRun run{files.scan, files.unit, CutterShape::ball(settings.tool_radius), settings.scallop_height, settings.chord_error,
-                            {},         {}};
+  VerificationRun run{files.scan, files.unit, CutterShape::ball(settings.tool_radius), settings.scallop_height, settings.chord_error,
+                      {},         {}};
+  run.words = files.words;
   addVerification(page, run, verification, pictures);
 }
 
 void
-addRegion(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const RegionReport& region,
-          std::vector<std::string>& warnings)
+addRegion(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const RegionReport& region, Diagnostics& warnings)
 {
   page.addPart(region.name);
   if (region.verification)
     addJudged(page, files, settings, *region.verification, region.judged, warnings);
   addPath(page, region.report, settings);
-  addSurface(page, files.mesh, region.report);
+  addSurface(page, files, region.report);
 }
 
 } // namespace
@@ -255,7 +256,7 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
 {
   HtmlPage html(page.title, formatted("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm",
                                       settings.tool_radius, settings.scallop_height));
-  std::vector<std::string> warnings = files.warnings;
+  Diagnostics warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   if (verification) {
     html.addPart("Verification");
@@ -270,9 +271,9 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
     html.addPicture(picture);
   addPath(html, report, settings);
   if (regions.empty())
-    addSurface(html, files.mesh, report);
+    addSurface(html, files, report);
   html.addPart("Run");
-  addWarnings(html, warnings);
+  addWarnings(html, textsOf(warnings, files.words));
   addSettings(html, files, settings);
   addTimes(html, report, verification);
   if (!page.command.empty()) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "diagnostic_json.h"
 #include "io/byte_file.h"
 #include "mesh_json.h"
 #include "side_json.h"
@@ -222,7 +223,7 @@ inputJson(const RunFiles& files)
 
 /** What a report has of the whole run, of one region. */
 Json
-regionJson(const RegionReport& region, double feed)
+regionJson(const RegionReport& region, const RunFiles& files, double feed)
 {
   const SpiralReport& report = region.report;
   Json json = {{"region", region.name},
@@ -233,9 +234,10 @@ regionJson(const RegionReport& region, double feed)
                {"path", pathJson(report, feed)},
                {"not_reached", tightJson(report)},
                {"seconds", secondsJson(report.stages)},
-               {"warnings", report.warnings}};
+               {"warnings", textsOf(report.warnings, files.words)},
+               {"diagnostics", diagnosticsJson(report.warnings, files.words, files.shift)}};
   if (region.verification)
-    json["verification"] = verificationJson(*region.verification);
+    json["verification"] = verificationJson(*region.verification, files.words, files.shift);
   return json;
 }
 
@@ -245,7 +247,7 @@ void
 writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings, const SpiralReport& report,
                 const Verification* verification, const std::vector<RegionReport>& regions)
 {
-  std::vector<std::string> warnings = files.warnings;
+  Diagnostics warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}, {"memory", "MB"}}},
                {"input", inputJson(files)},
@@ -259,13 +261,14 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
                {"not_reached", tightJson(report)},
                {"seconds", secondsJson(report.stages)},
                {"memory", memoryJson(report.stages)},
-               {"warnings", warnings}};
+               {"warnings", textsOf(warnings, files.words)},
+               {"diagnostics", diagnosticsJson(warnings, files.words, files.shift)}};
   if (files.mesh)
     json["mesh"] = meshJson(*files.mesh);
   if (verification)
-    json["verification"] = verificationJson(*verification);
+    json["verification"] = verificationJson(*verification, files.words, files.shift);
   for (const RegionReport& region : regions)
-    json["regions"].push_back(regionJson(region, settings.feed));
+    json["regions"].push_back(regionJson(region, files, settings.feed));
   ByteFile out(file);
   out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   out.close();

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "run_options.h"
 #include "verification_writer.h"
 #include <pcl_spiral/io/cloud_reader.h>
@@ -29,10 +31,11 @@ struct RunFiles {
   LengthUnit unit = LengthUnit::Millimetre;         ///< of the numbers in the scan
   Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< subtracted from the scan, in its unit
   std::vector<std::string> outputs;
-  std::vector<std::string> warnings;               ///< from reading
+  Diagnostics warnings;                            ///< from reading
   std::optional<RunMesh> mesh;                     ///< if the points are samples of a mesh
   RunOptions options = {};                         ///< of the program, as they were given
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift; places are in the coordinates of the scan
+  Vocabulary words = {};                           ///< of what the run says
 };
 
 /** One of several regions of a run. */

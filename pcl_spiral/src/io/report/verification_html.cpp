@@ -94,8 +94,9 @@ figureRows(const FigureTable& table, bool by_line)
 void
 addStatement(HtmlPage& page, const VerificationRun& run, const Verification& v, const FigureTable& table)
 {
-  Row grounds = v.broken;
-  grounds.insert(grounds.end(), v.unproven.begin(), v.unproven.end());
+  Row grounds = textsOf(v.broken, run.words);
+  for (const std::string& unproven : textsOf(v.unproven, run.words))
+    grounds.push_back(unproven);
   grounds.push_back(filled("largest deviation {deviation/max}; scallop 99.9 % below {material/scallop/p99.9}, highest {material/highest}; "
                            "gouge {material/gouge}; uncut {material/uncut}; efficiency {material/efficiency}",
                            table, on_page));
@@ -204,7 +205,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
     if (verifications.size() > 1)
       html.addPart(nameOf(v));
     addVerification(html, run, v, i < pictures.size() ? pictures[i] : std::vector<ReportPicture>());
-    addWarnings(html, warningsOf(v));
+    addWarnings(html, textsOf(warningsOf(v), run.words));
     html.addHeading("Time");
     html.addTable(judgingTimes(v), false);
   }
@@ -223,7 +224,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
   html.addTable(rows, false);
   if (!run.warnings.empty()) {
     html.addHeading("Warnings from reading the " + part);
-    html.addList(run.warnings);
+    html.addList(textsOf(run.warnings, run.words));
   }
   if (!page.command.empty()) {
     html.addHeading("Made by");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification_json.h"
+#include "diagnostic_json.h"
 #include "side_json.h"
 
 #include "verify/verification_figures.h"
@@ -29,7 +30,7 @@ figureJson(const Figure& figure)
 } // namespace
 
 nlohmann::ordered_json
-verificationJson(const Verification& v)
+verificationJson(const Verification& v, const Vocabulary& words, const Eigen::Vector3d& shift)
 {
   Json json;
   const FigureTable table = figuresOf(v);
@@ -37,10 +38,13 @@ verificationJson(const Verification& v)
     if (figure.in_json)
       json[Json::json_pointer("/" + figure.key)] = figureJson(figure);
   json["side"] = sideJson(v.side);
-  json["broken_limits"] = v.broken;
-  json["unproven_limits"] = v.unproven;
+  json["broken_limits"] = textsOf(v.broken, words);
+  json["unproven_limits"] = textsOf(v.unproven, words);
   json["seconds"] = v.seconds;
-  json["warnings"] = warningsOf(v);
+  json["warnings"] = textsOf(warningsOf(v), words);
+  json["diagnostics"] = {{"broken_limits", diagnosticsJson(v.broken, words, shift)},
+                         {"unproven_limits", diagnosticsJson(v.unproven, words, shift)},
+                         {"warnings", diagnosticsJson(warningsOf(v), words, shift)}};
   return json;
 }
 

@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-/** The figures of figuresOf in their order, then limits, time and warnings. */
-nlohmann::ordered_json verificationJson(const Verification& verification);
+/** The figures of figuresOf in their order, then limits, time and warnings, in \p words; \p shift: see diagnosticsJson. */
+nlohmann::ordered_json verificationJson(const Verification& verification, const Vocabulary& words, const Eigen::Vector3d& shift);
 
 } // namespace pcl_spiral

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification_writer.h"
 
+#include "diagnostic_json.h"
 #include "io/byte_file.h"
 #include "io/setting_names.h"
 #include "verification_json.h"
@@ -50,7 +51,7 @@ writeVerificationJSON(const std::string& file, const VerificationRun& run, const
     Json path = {{"file", verification.path}};
     if (!verification.region.empty())
       path["region"] = verification.region;
-    path.update(verificationJson(verification));
+    path.update(verificationJson(verification, run.words, run.shift));
     paths.push_back(path);
   }
   const Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"time", "s"}}},
@@ -68,7 +69,8 @@ writeVerificationJSON(const std::string& file, const VerificationRun& run, const
                        {"chord_error", run.chord_error}}},
                      {"limits", limitsJson(run.limits)},
                      {"paths", paths},
-                     {"warnings", run.warnings}};
+                     {"warnings", textsOf(run.warnings, run.words)},
+                     {"diagnostics", diagnosticsJson(run.warnings, run.words, run.shift)}};
   ByteFile out(file);
   out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   out.close();

@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
+
 #include "report_page.h"
 #include "verify/verification.h"
 #include <pcl_spiral/core/cutter_profile.h>
@@ -29,12 +31,13 @@ struct VerificationRun {
   std::string scan;                         ///< or mesh
   LengthUnit unit = LengthUnit::Millimetre; ///< of the numbers in the scan
   CutterShape cutter;
-  double scallop_height = 0.0;       ///< mm
-  double chord_error = 0.0;          ///< mm
-  std::vector<std::string> warnings; ///< from reading
+  double scallop_height = 0.0; ///< mm
+  double chord_error = 0.0;    ///< mm
+  Diagnostics warnings;        ///< from reading
   Limits limits;
   std::optional<JudgedMesh> mesh = std::nullopt;   ///< absent: a scan
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift; places are in the coordinates of the scan
+  Vocabulary words = {};                           ///< of what the verifications say
 };
 
 /** Settings, and the figures of each path with their places (see figuresOf). Lengths in mm, angles in degrees, times in

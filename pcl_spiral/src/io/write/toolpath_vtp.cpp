@@ -135,7 +135,7 @@ writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToNone();
   if (writer->Write() != 1 || writer->GetErrorCode() != vtkErrorCode::NoError)
-    throw FileError(file, std::string("cannot be written: ") + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
+    throw FileError(file, Diagnostic("cannot be written: ", std::string(vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()))));
   ByteFile out(file); // VTK's own file writer does not report errors at closing
   out.write(writer->GetOutputString());
   out.close();

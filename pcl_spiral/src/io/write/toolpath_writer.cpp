@@ -33,7 +33,7 @@ writeToolpath(const std::string& file, const pcl::PointCloud<ToolpathPoint>& pat
   else if (extension == ".vtp")
     writeToolpathVTP(file, path, motion, values);
   else
-    throw FileError(file, "extension '" + extension + "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp");
+    throw FileError(file, Diagnostic("extension '", extension, "' is not known for a toolpath; use .csv, .pcd, .ply or .vtp"));
 }
 
 } // namespace pcl_spiral

@@ -4,7 +4,7 @@
 #include "step_over_march.h"
 
 #include "graph/level_lines.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
@@ -79,16 +79,16 @@ checkWhole(const StepOverMesh& mesh, const std::vector<double>& height)
   const std::vector<std::uint32_t> part = partsAbove(mesh, height, sizes);
   if (sizes.empty())
     return {StatusCode::InvalidInput, "at this distance inside its rims nothing is left of the surface: make the distance smaller "
-                                      "(setRimOverhang, setHoleMargin)"};
+                                      "({setRimOverhang}, {setHoleMargin})"};
   const auto largest = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   const std::size_t all = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   for (std::uint32_t p = 0; p < sizes.size(); ++p)
     if (p != largest && static_cast<double>(sizes[p]) > piece_share * static_cast<double>(all)) {
       const std::size_t v = static_cast<std::size_t>(std::find(part.begin(), part.end(), p) - part.begin());
       return {StatusCode::InvalidInput,
-              textOf("at this distance inside its rims the surface falls into pieces, one of them near ", placeText(mesh.positions[v]),
-                     ": the surface is narrower than twice the distance; make "
-                     "the distance smaller (setRimOverhang, setHoleMargin)")};
+              Diagnostic("at this distance inside its rims the surface falls into pieces, one of them near ", Place(mesh.positions[v]),
+                         ": the surface is narrower than twice the distance; make "
+                         "the distance smaller ({setRimOverhang}, {setHoleMargin})")};
     }
   return Status::success();
 }
@@ -170,8 +170,8 @@ moveInside(const Surface& surface, const std::vector<double>& margins, std::vect
   for (const LevelLine& line : lines.front()) {
     if (!line.closed)
       return {StatusCode::InvalidInput,
-              textOf("the outline moved inside meets another outline at ", placeText(mesh.positions[line.crossings.front().below]),
-                     ": make the distance smaller (setRimOverhang), or keep away from holes too (setHoleMargin)")};
+              Diagnostic("the outline moved inside meets another outline at ", Place(mesh.positions[line.crossings.front().below]),
+                         ": make the distance smaller ({setRimOverhang}), or keep away from holes too ({setHoleMargin})")};
     Polyline curve = curveOf(mesh, line, curve_step * spacing);
     if (length(curve, true) < 8.0 * spacing)
       continue;
@@ -188,8 +188,8 @@ moveInside(const Surface& surface, const std::vector<double>& margins, std::vect
       result.push_back(loops[i]);
     }
   if (outer != 1)
-    return {StatusCode::InvalidInput, textOf("at this distance inside its rims the surface has ", outer,
-                                             " outer outlines: make the distance smaller (setRimOverhang, setHoleMargin)")};
+    return {StatusCode::InvalidInput, Diagnostic("at this distance inside its rims the surface has ", outer,
+                                                 " outer outlines: make the distance smaller ({setRimOverhang}, {setHoleMargin})")};
   std::stable_partition(result.begin(), result.end(), [](const BoundaryLoop& loop) { return loop.type == LoopType::Outer; });
   loops = std::move(result);
   return Status::success();

@@ -4,7 +4,7 @@
 #include "inner_outlines.h"
 #include "rim_band.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <utility>
@@ -24,9 +24,9 @@ moveBeyond(Surface::ConstPtr& surface, double overhang, std::vector<BoundaryLoop
   const RimBand band(*surface, rim->curve);
   Polyline curve = band.line(overhang, 0.5 * surface->spacing());
   if (curve.size() < 8)
-    return {StatusCode::InvalidInput, textOf("no outline is left ", overhang,
-                                             " mm beyond the rim: make the distance smaller "
-                                             "(setRimOverhang)")};
+    return {StatusCode::InvalidInput, Diagnostic("no outline is left ", overhang,
+                                                 " {mm} beyond the rim: make the distance smaller "
+                                                 "({setRimOverhang})")};
   Surface::ConstPtr longer;
   if (const Status status = addPoints(surface, band.points(overhang + beyond_outline * surface->spacing()), longer); !status.ok())
     return status;

@@ -2,7 +2,7 @@
 #include "scallop_size.h"
 
 #include "common/available_memory.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 
@@ -47,10 +47,11 @@ checkMeshSize(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen,
   const auto memory = availableMemory();
   if (nodes <= most_nodes && !(memory && bytes_a_node * nodes > *memory))
     return Status::success();
-  return {StatusCode::Failed, textOf("at a scallop height of ", options.scallop_height,
-                                     " mm turns lie much closer together than the points of the scan: ", std::ceil(1e-6 * nodes),
-                                     " million nodes between these points would be needed, and ", std::ceil(1e-9 * bytes_a_node * nodes),
-                                     " GB of memory; raise the scallop height, or scan more densely")};
+  return {StatusCode::Failed,
+          Diagnostic("at a scallop height of ", options.scallop_height,
+                     " {mm} turns lie much closer together than the points of the {scan}: ", std::ceil(1e-6 * nodes),
+                     " million nodes between these points would be needed, and ", std::ceil(1e-9 * bytes_a_node * nodes),
+                     " GB of memory; raise the scallop height, or {scan more densely}")};
 }
 
 PathSize

@@ -6,7 +6,7 @@
 #include "scallop_size.h"
 #include "step_over_march.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -138,9 +138,9 @@ checkWidth(const StepOverMesh& mesh, const std::vector<double>& distance, double
   if (clear >= least_clear * spacing)
     return Status::success();
   return {StatusCode::Failed,
-          textOf("the surface is too narrow for the spacing of its points: its middle ", placeText(mesh.positions[middle]), " lies only ",
-                 clear, " mm from the rim, and the points lie ", spacing,
-                 " mm apart: scan more densely, with at least seven points across, or machine the part in another way")};
+          Diagnostic("the surface is too narrow for the spacing of its points: its middle ", Place(mesh.positions[middle]), " lies only ",
+                     clear, " {mm} from the rim, and the points lie ", spacing,
+                     " {mm} apart: {scan more densely}, with at least seven points across, or machine the part in another way")};
 }
 
 /** Integral of dA over the largest step-over, plus half the rims, because the path runs on them. Without the reserve. */
@@ -218,8 +218,8 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
   for (std::size_t v = 0; v < field.mesh.size(); ++v) {
     if (!std::isfinite(field.distance[v]))
       return {StatusCode::Failed,
-              textOf("the surface is disconnected: no way leads over it from the rim to ", placeText(field.mesh.positions[v]),
-                     ", because parts of the scan touch at a single point; scan it again, more densely")};
+              Diagnostic("the surface is disconnected: no way leads over it from the rim to ", Place(field.mesh.positions[v]),
+                         ", because parts of the {scan} touch at a single point; {scan it again, more densely}")};
     field.largest = std::max(field.largest, field.distance[v]);
   }
   const std::vector<float> lengths = gradientLengths(field.mesh, field.distance);

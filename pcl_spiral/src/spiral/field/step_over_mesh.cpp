@@ -8,7 +8,7 @@
 #include "spiral/outlines/outline_cut.h"
 #include "spiral/outlines/outline_side.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -214,15 +214,15 @@ MeshMaker::zip(std::size_t outline)
 {
   ZipperSide edge;
   const std::size_t best = edgeAlong(outline, edge);
-  const std::string remedy = "; the scan is too sparse or ragged there for a path at constant scallop: scan it again, more densely, ";
-  const std::string radial = "choose the radial method (setMethod)";
+  const Diagnostic remedy = "; the {scan} is too sparse or ragged there for a path at constant scallop: {scan it again, more densely}, ";
+  const Diagnostic radial = "choose the radial method ({setMethod})";
   if (best == edges_.size())
     if (const Status status = refuseNarrowStrip(outlines_, outline, spacing_); !status.ok())
       return status;
   if (best == edges_.size())
     return {StatusCode::Failed,
-            textOf("no edge of the mesh runs along the outline through ", placeText(outlines_[outline].curve.front()), remedy,
-                   keepOutText(outlines_[outline].type == LoopType::Outer ? Polyline() : outlines_[outline].curve, spacing_), radial)};
+            Diagnostic("no edge of the mesh runs along the outline through ", Place(outlines_[outline].curve.front()), remedy,
+                       keepOutText(outlines_[outline].type == LoopType::Outer ? Polyline() : outlines_[outline].curve, spacing_), radial)};
   edge_used_[best] = 1;
   ZipperSide rim;
   addOutline(outline, rim);
@@ -230,8 +230,8 @@ MeshMaker::zip(std::size_t outline)
   const std::vector<Triangle> strip = zipped(edge, rim, whole, spacing_);
   if (strip.empty())
     return {StatusCode::Failed,
-            textOf("the edge of the mesh follows the outline through ", placeText(outlines_[outline].curve.front()), " over less than ",
-                   100.0 * least_zipped, " % of its length", remedy, keepOutText(pointsApart(edge, rim, spacing_), spacing_), radial)};
+            Diagnostic("the edge of the mesh follows the outline through ", Place(outlines_[outline].curve.front()), " over less than ",
+                       100.0 * least_zipped, " % of its length", remedy, keepOutText(pointsApart(edge, rim, spacing_), spacing_), radial)};
   triangles_.insert(triangles_.end(), strip.begin(), strip.end());
   return Status::success();
 }
@@ -291,9 +291,9 @@ Status
 MeshMaker::checkGenus() const
 {
   if (missingEuler(mesh_.positions, mesh_.triangles) != 0)
-    return {StatusCode::Failed, textOf("the surface about ", placeText(mesh_.positions.front()),
-                                       " has a handle or touches itself: a path at constant scallop needs a sheet with only a rim "
-                                       "and holes; cut the part into pieces")};
+    return {StatusCode::Failed, Diagnostic("the surface about ", Place(mesh_.positions.front()),
+                                           " has a handle or touches itself: a path at constant scallop needs a sheet with only a rim "
+                                           "and holes; cut the part into pieces")};
   return Status::success();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/spiral_path.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -20,7 +20,7 @@ template <typename... Parts>
 Status
 refused(std::size_t line, const Parts&... parts)
 {
-  return {StatusCode::InvalidInput, textOf("radial line ", line, parts...)};
+  return {StatusCode::InvalidInput, Diagnostic("radial line ", line, parts...)};
 }
 
 Status
@@ -36,7 +36,7 @@ checkLine(const RadialLineSet& set, std::size_t i)
         !std::isfinite(foot.curvature2))
       return refused(i, ": foot ", k, " is not finite: place, normal and curvatures must be finite");
     if (!foot.valid && k > 0 && k + 1 < line.feet.size())
-      return refused(i, " leaves the scanned surface at ", placeText(foot.position),
+      return refused(i, " leaves the {scanned surface} at ", Place(foot.position),
                      ": put its points on the surface "
                      "(MLSProjector), or end it there");
   }
@@ -58,17 +58,17 @@ checkOutlines(const RadialLineSet& set)
   if (set.rim.size() < 3)
     return {StatusCode::InvalidInput, "the radial lines have no rim: give the closed outline on which they end"};
   if (!set.inner.empty() && set.inner.size() < 3)
-    return {StatusCode::InvalidInput, textOf("the inner boundary of the radial lines has ", set.inner.size(),
-                                             " points: give at least three, or none if the lines start at a centre")};
+    return {StatusCode::InvalidInput, Diagnostic("the inner boundary of the radial lines has ", set.inner.size(),
+                                                 " points: give at least three, or none if the lines start at a centre")};
   for (const auto& [name, loop, corners] :
        {std::tuple("rim", &set.rim, &set.rim_corners), std::tuple("inner boundary", &set.inner, &set.inner_corners)}) {
     for (std::size_t k = 0; k < loop->size(); ++k)
       if (!(*loop)[k].allFinite())
-        return {StatusCode::InvalidInput, textOf("point ", k, " of the ", name, " of the radial lines is not finite")};
+        return {StatusCode::InvalidInput, Diagnostic("point ", k, " of the ", name, " of the radial lines is not finite")};
     for (const std::size_t corner : *corners)
       if (corner >= loop->size())
         return {StatusCode::InvalidInput,
-                textOf("the radial lines name corner ", corner, ", but that boundary has ", loop->size(), " points")};
+                Diagnostic("the radial lines name corner ", corner, ", but that boundary has ", loop->size(), " points")};
   }
   return Status::success();
 }
@@ -97,7 +97,7 @@ checkLines(const RadialLineSet& set, double spacing)
 {
   if (set.lines.size() < fewest_lines)
     return {StatusCode::InvalidInput,
-            textOf("there are ", set.lines.size(), " radial lines: a spiral needs at least three, ", "better a hundred")};
+            Diagnostic("there are ", set.lines.size(), " radial lines: a spiral needs at least three, ", "better a hundred")};
   if (const Status status = checkOutlines(set); !status.ok())
     return status;
   for (std::size_t i = 0; i < set.lines.size(); ++i)
@@ -110,8 +110,8 @@ checkLines(const RadialLineSet& set, double spacing)
     return status;
   const double off = (set.lines[0].feet.back().position - set.rim.front()).norm();
   if (!(off <= farthest_end * spacing))
-    return {StatusCode::InvalidInput, textOf("the first radial line ends ", off, " mm from the first point of the rim, ",
-                                             placeText(set.rim.front()), ": reorder the rim's points to begin where that line ends")};
+    return {StatusCode::InvalidInput, Diagnostic("the first radial line ends ", off, " {mm} from the first point of the rim, ",
+                                                 Place(set.rim.front()), ": reorder the rim's points to begin where that line ends")};
   return Status::success();
 }
 

@@ -11,7 +11,7 @@ constexpr int coarse_lines = 32;
 
 } // namespace
 
-std::vector<Place>
+std::vector<LinePlace>
 coarsePlaces(const RimCurve& rim)
 {
   std::vector<double> stops{0.0};
@@ -22,7 +22,7 @@ coarsePlaces(const RimCurve& rim)
       is_corner.push_back(true);
     }
   stops.push_back(rim.length());
-  std::vector<Place> places;
+  std::vector<LinePlace> places;
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
     const double span = stops[i + 1] - stops[i];
     const int pieces = std::max(1, static_cast<int>(std::lround(coarse_lines * span / rim.length())));
@@ -32,7 +32,7 @@ coarsePlaces(const RimCurve& rim)
   return places;
 }
 
-LineGap::LineGap(const std::vector<Place>& places, const RimCurve& rim, std::size_t i)
+LineGap::LineGap(const std::vector<LinePlace>& places, const RimCurve& rim, std::size_t i)
 {
   const std::size_t n = places.size();
   const double whole = rim.length(), end = i + 1 < n ? places[i + 1].s : whole;

@@ -14,7 +14,7 @@
 namespace pcl_spiral {
 
 /** A planned line: its place on the rim, and the errors known in the gap after it. */
-struct Place {
+struct LinePlace {
   double s; ///< arc length on the rim
   bool corner;
   int level;
@@ -23,13 +23,13 @@ struct Place {
 };
 
 /** Corners, and between them places at equal distances, about 32 in all. */
-std::vector<Place> coarsePlaces(const RimCurve& rim);
+std::vector<LinePlace> coarsePlaces(const RimCurve& rim);
 
 /** The gap after a line: the place that halves it, and the line predicted there from the lines about it by Lagrange's cubic, or a
  *  lower polynomial beside corners. */
 class LineGap {
 public:
-  LineGap(const std::vector<Place>& places, const RimCurve& rim, std::size_t i);
+  LineGap(const std::vector<LinePlace>& places, const RimCurve& rim, std::size_t i);
 
   double width() const { return width_; }
   double middle() const { return middle_; }

@@ -37,10 +37,10 @@ LineRounds::run()
 }
 
 Status
-LineRounds::make(const std::vector<Place>& places, std::vector<Polyline> guesses, std::vector<RadialLine>& lines)
+LineRounds::make(const std::vector<LinePlace>& places, std::vector<Polyline> guesses, std::vector<RadialLine>& lines)
 {
   Polyline ends;
-  for (const Place& place : places)
+  for (const LinePlace& place : places)
     ends.push_back(rim_.at(place.s));
   const Status status = source_.make(ends, std::move(guesses), lines);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -91,7 +91,7 @@ LineRounds::judge(const std::vector<RadialLine>& added)
 void
 LineRounds::insert(std::vector<RadialLine> added)
 {
-  std::vector<Place> places;
+  std::vector<LinePlace> places;
   std::vector<RadialLine> lines;
   for (std::size_t i = 0, a = 0; i < places_.size(); ++i) {
     places.push_back(places_[i]);

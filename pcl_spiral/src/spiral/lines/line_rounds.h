@@ -36,7 +36,7 @@ public:
 private:
   /** The middles of the gaps that need a line. */
   void chooseGaps(int round);
-  Status make(const std::vector<Place>& places, std::vector<Polyline> guesses, std::vector<RadialLine>& lines);
+  Status make(const std::vector<LinePlace>& places, std::vector<Polyline> guesses, std::vector<RadialLine>& lines);
   /** Compares \p added with what its neighbours predicted. */
   void judge(const std::vector<RadialLine>& added);
   void insert(std::vector<RadialLine> added);
@@ -44,9 +44,9 @@ private:
   const RadialLineRequest& request_;
   const RimCurve& rim_;
   LineSource& source_;
-  std::vector<Place> places_;
+  std::vector<LinePlace> places_;
   std::vector<RadialLine> lines_;
-  std::vector<Place> wanted_;
+  std::vector<LinePlace> wanted_;
   std::vector<Polyline> guesses_; ///< of the wanted lines, to start from; empty: none
   std::vector<std::size_t> gaps_; ///< of the wanted lines
   double largest_error_ = 0.0, jump_ = 0.0;

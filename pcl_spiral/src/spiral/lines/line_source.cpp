@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "line_source.h"
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/bspline_fit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/geodesic/impl/geodesic_refinement.h>
 
 namespace pcl_spiral {
@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t stations = 129; // on a line
 
 Status
-failedAt(const Eigen::Vector3d& place, const std::string& what)
+failedAt(const Eigen::Vector3d& place, const Diagnostic& what)
 {
-  return {StatusCode::Failed, textOf(what, " at ", placeText(place))};
+  return {StatusCode::Failed, Diagnostic(what, " at ", Place(place))};
 }
 
 /** Points of the graph nearest to a loop's own points, in the graph's order. */

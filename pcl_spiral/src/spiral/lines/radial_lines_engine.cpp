@@ -4,7 +4,7 @@
 #include "line_rounds.h"
 #include "surface_centre.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,10 +99,10 @@ linesByMethod(const RadialLineRequest& request, const SurfaceCentre& found, bool
   if (const Status status = rounds.run(); !status.ok())
     return status;
   if (!harmonic && rounds.jump() > largest_jump * spacing) // behind a hill the shortest way jumps from one side to the other
-    return {StatusCode::Failed, textOf("neighbouring radial lines jump by ", rounds.jump(), " mm near ", placeText(rounds.jumpPlace()))};
+    return {StatusCode::Failed, Diagnostic("neighbouring radial lines jump by ", rounds.jump(), " {mm} near ", Place(rounds.jumpPlace()))};
   // Harmonic lines converge into narrow tips, closer than they are known; turns there leave most of them out.
   if (const auto place = crossing(rounds.lines(), (harmonic ? 0.5 : 0.05) * spacing))
-    return {StatusCode::Failed, textOf("radial lines cross at ", placeText(*place))};
+    return {StatusCode::Failed, Diagnostic("radial lines cross at ", Place(*place))};
   shareOutTurns(request, rounds.lines());
   set.lines = std::move(rounds.lines());
   set.centre = found.position;
@@ -143,7 +143,7 @@ geodesicLines(const RadialLineRequest& request, SurfaceCentre& centre, RadialLin
     centre.lines.emplace(request.surface.graph());
   for (;; ready = false) {
     if (!ready && !centre.lines->setCentre(centre.position))
-      return {StatusCode::Failed, textOf("the centre ", placeText(centre.position), " does not lie on the surface")};
+      return {StatusCode::Failed, Diagnostic("the centre ", Place(centre.position), " does not lie on the surface")};
     const Status status = linesByMethod(request, centre, false, set);
     if (status.ok() || status.code() == StatusCode::Cancelled || centre.lines->usesEveryPoint())
       return status;
@@ -158,9 +158,9 @@ offSurface(const RadialLineRequest& request)
   const SurfaceGraph& graph = request.surface.graph();
   const Eigen::Vector3d nearest = graph.position(graph.blocks().nearest(*request.centre));
   return {StatusCode::InvalidArgument,
-          textOf("the centre ", placeText(*request.centre), " does not lie on the surface, whose nearest point is ", placeText(nearest),
-                 ", ", (nearest - *request.centre).norm(), " mm away: give a point within three spacings (", 3.0 * graph.spacing(),
-                 " mm) of the cloud, inside its rim and outside its holes, or no centre")};
+          Diagnostic("the centre ", Place(*request.centre), " does not lie on the surface, whose nearest point is ", Place(nearest), ", ",
+                     (nearest - *request.centre).norm(), " {mm} away: give a point within three spacings (", 3.0 * graph.spacing(),
+                     " {mm}) of the {cloud}, inside its rim and outside its holes, or no centre")};
 }
 
 /** Refuse a given centre less than \p least spacings from the rim; without one, the surface is too narrow for a centre. */
@@ -175,12 +175,12 @@ checkClearance(const RadialLineRequest& request, const Eigen::Vector3d& centre, 
     return Status::success();
   if (request.centre)
     return {StatusCode::InvalidArgument,
-            textOf("the centre ", placeText(*request.centre), " lies ", clear, " mm from the rim, less than three spacings (",
-                   least * spacing, " mm): radial lines cannot run all round it; move it inwards, or give no centre")};
+            Diagnostic("the centre ", Place(*request.centre), " lies ", clear, " {mm} from the rim, less than three spacings (",
+                       least * spacing, " {mm}): radial lines cannot run all round it; move it inwards, or give no centre")};
   return {StatusCode::InvalidInput,
-          textOf("the surface is too narrow for the spacing of its points: its middle ", placeText(centre), " lies only ", clear,
-                 " mm from the rim, and the points lie ", spacing,
-                 " mm apart: scan more densely, with at least seven points across, or machine the part in another way")};
+          Diagnostic("the surface is too narrow for the spacing of its points: its middle ", Place(centre), " lies only ", clear,
+                     " {mm} from the rim, and the points lie ", spacing,
+                     " {mm} apart: {scan more densely}, with at least seven points across, or machine the part in another way")};
 }
 
 } // namespace
@@ -207,9 +207,9 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
     const Status status = geodesicLines(request, *centre, set);
     if (status.ok() || status.code() == StatusCode::Cancelled)
       return status;
-    set.why_harmonic = status.message();
+    set.why_harmonic = status.diagnostic();
     if (request.method == LineMethod::Geodesic)
-      return {blame(request, status.code()), status.message() + "; harmonic lines work on such outlines"};
+      return {blame(request, status.code()), status.diagnostic() + "; harmonic lines work on such outlines"};
   }
   if (!centre)
     return {StatusCode::Failed, "no centre was found on the surface: give one"};
@@ -218,11 +218,11 @@ buildRadialLines(const RadialLineRequest& request, RadialLineSet& set)
     if (const Status clearance = checkClearance(request, centre->position, clear_of_rim); !clearance.ok())
       return clearance;
   if (status.ok() || set.why_harmonic.empty() || status.code() == StatusCode::Cancelled)
-    return {blame(request, status.code()), status.message()};
+    return {blame(request, status.code()), status.diagnostic()};
   return {blame(request, status.code()), "no radial lines were found: as geodesics, " + set.why_harmonic + "; as harmonic lines, " +
-                                             status.message() + "; " +
+                                             status.diagnostic() + "; " +
                                              (request.inner ? "" : "give a centre from which the rim is easier to reach, or ") +
-                                             "choose constant scallop height (setMethod)"};
+                                             "choose constant scallop height ({setMethod})"};
 }
 
 } // namespace pcl_spiral

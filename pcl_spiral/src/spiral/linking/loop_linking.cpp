@@ -9,7 +9,7 @@
 #include "spiral/loops/loop_finder.h"
 #include "spiral/path/given_path.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <limits>
@@ -170,9 +170,9 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::op
   std::vector<SpiralPass> passes(1);
   passes[0].chain = start ? chainNear(loops, *finder, cuts, *start) : findMainChain(cuts, *finder, innermost, 0, start);
   if (passes[0].chain.empty())
-    return {StatusCode::Failed, textOf("no chain of loops leads from the innermost loop at ", placeText(loops[innermost].points.front()),
-                                       " out to the rim: the surface is too rough there for loops at constant scallop; smooth "
-                                       "the scan, or choose the radial method (setMethod)")};
+    return {StatusCode::Failed, Diagnostic("no chain of loops leads from the innermost loop at ", Place(loops[innermost].points.front()),
+                                           " out to the rim: the surface is too rough there for loops at constant scallop; smooth "
+                                           "the {scan}, or choose the radial method ({setMethod})")};
   passes[0].cuts = addRamps(passes[0].chain, cuts, path);
   passes[0].lead_in = rim_overlap;
   passes[0].lead_out = core_overlap;
@@ -183,16 +183,16 @@ linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const std::op
     addBranches(*finder, joined, cuts, path, passes);
   else if (const std::size_t left = joinLoops(*finder, joined, cuts, path); left < loops.size())
     return {StatusCode::Failed,
-            textOf("no loop runs beside the one at ", placeText(loops[left].points.front()), ", which is ", loops[left].length(),
-                   " step-overs long: the path cannot be made in one piece there; choose "
-                   "the radial method (setMethod), or cut the part into pieces")};
+            Diagnostic("no loop runs beside the one at ", Place(loops[left].points.front()), ", which is ", loops[left].length(),
+                       " step-overs long: the path cannot be made in one piece there; choose "
+                       "the radial method ({setMethod}), or cut the part into pieces")};
   finder.reset(); // larger than the path
   std::size_t arcs = 0;
   for (const SpiralPass& pass : passes)
     arcs += addPass(pass, cuts, path);
   if (arcs != cuts.cuts())
-    return {StatusCode::Failed, textOf("the loops about ", placeText(loops[passes[0].last().loop].points.front()),
-                                       " could not be joined into one path; choose the radial method (setMethod)")};
+    return {StatusCode::Failed, Diagnostic("the loops about ", Place(loops[passes[0].last().loop].points.front()),
+                                           " could not be joined into one path; choose the radial method ({setMethod})")};
   return Status::success();
 }
 

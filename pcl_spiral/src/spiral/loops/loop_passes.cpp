@@ -4,7 +4,7 @@
 #include <pcl_spiral/spiral/scallop_loops.h>
 
 #include "core/tilted_axes.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
@@ -61,31 +61,31 @@ passOf(SpiralPath path, const SpiralSettings& settings)
 Status
 checkScallopLoops(const std::vector<ScallopLoop>& loops)
 {
-  const auto wrong = [](std::size_t i, const std::string& what) -> Status {
-    return {StatusCode::InvalidInput, textOf("loop ", i, " ", what)};
+  const auto wrong = [](std::size_t i, const Diagnostic& what) -> Status {
+    return {StatusCode::InvalidInput, Diagnostic("loop ", i, " ", what)};
   };
   if (loops.empty())
-    return {StatusCode::InvalidInput, "there are no loops: give loops made by ScallopLoops"};
+    return {StatusCode::InvalidInput, "there are no loops: give loops made by {ScallopLoops}"};
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const ScallopLoop& loop = loops[i];
     if (loop.points.size() < 3)
-      return wrong(i, textOf("has ", loop.points.size(), " points: give at least three"));
+      return wrong(i, Diagnostic("has ", loop.points.size(), " points: give at least three"));
     if (loop.metric.size() != loop.points.size() || loop.arcs.size() != loop.points.size() + 1)
-      return wrong(i, textOf("has ", loop.points.size(), " points, ", loop.metric.size(), " metrics and ", loop.arcs.size(),
-                             " arc lengths: give one metric per point, and call measure"));
+      return wrong(i, Diagnostic("has ", loop.points.size(), " points, ", loop.metric.size(), " metrics and ", loop.arcs.size(),
+                                 " arc lengths: give one metric per point, and call measure"));
     for (std::size_t k = 0; k < loop.points.size(); ++k)
       if (!loop.points[k].allFinite() || !loop.metric[k].matrix().allFinite() || !(loop.metric[k].matrix().trace() > 0.0))
-        return wrong(i, textOf("has an impossible position or metric at point ", k, ", ", placeText(loop.points[k]), ": remove the point"));
+        return wrong(i, Diagnostic("has an impossible position or metric at point ", k, ", ", Place(loop.points[k]), ": remove the point"));
     if (!(loop.length() > 0.0) || !std::isfinite(loop.length()))
-      return wrong(i, textOf("at ", placeText(loop.points.front()), " has the length ", loop.length(),
-                             " step-overs: remove the loop, or call measure"));
+      return wrong(i, Diagnostic("at ", Place(loop.points.front()), " has the length ", loop.length(),
+                                 " step-overs: remove the loop, or call measure"));
   }
   for (std::size_t i = 1; i < loops.size(); ++i)
-    if (const Status status = checkBasis(loops[i].basis, loops.front().basis, textOf("loop ", i)); !status.ok())
+    if (const Status status = checkBasis(loops[i].basis, loops.front().basis, Diagnostic("loop ", i)); !status.ok())
       return status;
   if (loops.front().level != 0)
-    return wrong(0, textOf("at ", placeText(loops.front().points.front()), " has the level ", loops.front().level,
-                           ", but the first loop must be the outer rim, of level 0: put the rim first"));
+    return wrong(0, Diagnostic("at ", Place(loops.front().points.front()), " has the level ", loops.front().level,
+                               ", but the first loop must be the outer rim, of level 0: put the rim first"));
   return Status::success();
 }
 

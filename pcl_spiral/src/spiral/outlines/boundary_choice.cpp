@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 
-#include <pcl_spiral/common/impl/message.h>
-
-#include <string>
+#include <pcl_spiral/core/diagnostic.h>
 
 namespace pcl_spiral {
 
@@ -22,13 +20,13 @@ chooseBoundaries(const std::vector<BoundaryLoop>& loops, BoundaryMode mode, Boun
     return {StatusCode::InvalidInput, "none of the loops is an outer one: a spiral ends on the outer rim, so give that loop"};
   if (mode == BoundaryMode::TwoBoundaries && holes.empty())
     return {StatusCode::InvalidArgument, "two boundaries were set, but the surface has only one: set one, or let the library choose "
-                                         "(setBoundaryMode)"};
+                                         "({setBoundaryMode})"};
   if (mode == BoundaryMode::Automatic && holes.size() > 1) {
-    std::string message = textOf("the surface has ", holes.size(), " holes:");
+    Diagnostic message = Diagnostic("the surface has ", holes.size(), " holes:");
     for (const BoundaryLoop* hole : holes)
-      message += textOf(" ", placeText(hole->curve.front()), " length ", hole->length, " mm;");
+      message += Diagnostic(" ", Place(hole->curve.front()), " length ", hole->length, " {mm};");
     message += " a spiral runs between at most two boundaries: set one boundary to bridge all holes, or two to "
-               "keep the longest hole and bridge the others (setBoundaryMode)";
+               "keep the longest hole and bridge the others ({setBoundaryMode})";
     return {StatusCode::InvalidInput, message};
   }
   if (mode == BoundaryMode::AllBoundaries)

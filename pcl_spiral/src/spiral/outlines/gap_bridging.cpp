@@ -2,7 +2,7 @@
 #include <pcl_spiral/spiral/gap_bridging.h>
 
 #include "surface/gap_filling.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/impl/surface_parts.h>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
@@ -21,15 +21,15 @@ template class GapBridging<pcl::PointNormal>;
 
 namespace {
 
-std::string
+Diagnostic
 warningOf(const BridgedGap& gap)
 {
   if (gap.points == 0)
-    return textOf("a gap in the scan at ", placeText(gap.loop.points.front()), ", ", gap.loop.length,
-                  " mm round, is too narrow to be filled: the path runs over it without filling");
-  return textOf("a gap in the scan at ", placeText(gap.centre), ", ", gap.width,
-                " mm wide, was bridged by a smooth patch; the points around it lie ", gap.residual,
-                " mm (rms) from the patch; if it is a real hole, the path still runs over it");
+    return Diagnostic("{a gap in the scan} at ", Place(gap.loop.points.front()), ", ", gap.loop.length,
+                      " {mm} round, is too narrow to be filled: the path runs over it without filling");
+  return Diagnostic("{a gap in the scan} at ", Place(gap.centre), ", ", gap.width,
+                    " {mm} wide, was bridged by a smooth patch; the points around it lie ", gap.residual,
+                    " {mm} (rms) from the patch; {if it is a real hole, the path still runs over it}");
 }
 
 Eigen::Vector3d
@@ -72,9 +72,9 @@ checkHoldsTogether(const SurfaceGraph& graph)
   for (std::size_t i = 1; i < parts.size(); ++i)
     box.extend(parts[i].box);
   return {StatusCode::InvalidInput,
-          textOf("the surface falls apart where gaps in the scan are bridged: ", partsText(parts),
-                 ". Something stands on the part there: keep the cutter out of it with a polygon that covers it, from ",
-                 placeText(box.min()), " to ", placeText(box.max()), " (addKeepOut)")};
+          Diagnostic("the surface falls apart where {gaps of the scan} are bridged: ", partsText(parts),
+                     ". Something stands on the part there: keep the cutter out of it with a polygon that covers it, from ",
+                     Place(box.min()), " to ", Place(box.max()), " ({addKeepOut})")};
 }
 
 /** One run: the input, and which loops are the user's own. */
@@ -117,8 +117,8 @@ public:
       if (const Status status = checkGap(surface.graph(), i); !status.ok())
         return status;
       if (options_.gaps == GapHandling::Refuse)
-        return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
-                                                 " mm round: scan it again, or allow gaps to be bridged (setGapHandling)")};
+        return {StatusCode::InvalidInput, Diagnostic("the {scan} has a gap at ", Place(loop.points.front()), ", ", loop.length,
+                                                     " {mm} round: {scan it again}, or allow gaps to be bridged ({setGapHandling})")};
       const GapFill fill = fillGap(surface.graph(), loop.points);
       bridged_.gaps.push_back({loop, fill.points.size(), fill.centre, fill.width, fill.residual});
       bridged_.gaps.back().loop.type = LoopType::ScanGap;
@@ -189,9 +189,9 @@ private:
       return status;
     for (const BoundaryLoop& loop : loops_)
       if (loop.type == LoopType::Inner && options_.holes == HoleHandling::Refuse)
-        return {StatusCode::InvalidInput, textOf("the part has a hole at ", placeText(middleOf(loop)), ", ", loop.length,
-                                                 " mm round, but holes are refused: let the path run round holes or over them "
-                                                 "(setHoleHandling)")};
+        return {StatusCode::InvalidInput, Diagnostic("the part has a hole at ", Place(middleOf(loop)), ", ", loop.length,
+                                                     " {mm} round, but holes are refused: let the path run round holes or over them "
+                                                     "({setHoleHandling})")};
     return Status::success();
   }
 
@@ -217,9 +217,9 @@ private:
             (nearest == loops.end() || (middleOf(*loop) - middle).norm() < (middleOf(*nearest) - middle).norm()))
           nearest = loop;
       if (nearest == loops.end() && !isOwn(hole))
-        return {StatusCode::Failed, textOf("the hole about ", placeText(middle),
-                                           ", a boundary of the part, was lost when gaps "
-                                           "were bridged: refuse gaps to see them (setGapHandling)")};
+        return {StatusCode::Failed, Diagnostic("the hole about ", Place(middle),
+                                               ", a boundary of the part, was lost when gaps "
+                                               "were bridged: refuse gaps to see them ({setGapHandling})")};
       if (nearest != loops.end() && isOwn(hole))
         loops.erase(nearest);
     }
@@ -235,8 +235,8 @@ private:
       return status;
     if (const std::size_t inside = pointsInside(graph, loops_[i].points); inside > 0)
       return {StatusCode::InvalidInput,
-              textOf("loop ", i, " at ", placeText(loops_[i].points.front()), " is to be bridged, but ", inside,
-                     " points of the surface lie inside it: give loops of the same cloud, or none to have them found")};
+              Diagnostic("loop ", i, " at ", Place(loops_[i].points.front()), " is to be bridged, but ", inside,
+                         " points of the surface lie inside it: give loops of the same cloud, or none to have them found")};
     return Status::success();
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/loop_check.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -20,7 +20,7 @@ template <typename... Parts>
 Status
 refused(std::size_t loop, const Parts&... parts)
 {
-  return {StatusCode::InvalidInput, textOf("loop ", loop, parts...)};
+  return {StatusCode::InvalidInput, Diagnostic("loop ", loop, parts...)};
 }
 
 double
@@ -115,7 +115,7 @@ checkLoopShape(const BoundaryLoop& loop, std::size_t index)
 {
   if (loop.curve.size() < 3 || loop.points.empty())
     return refused(index, " has ", loop.curve.size(), " curve points and ", loop.points.size(),
-                   " cloud points: it needs both, as BoundaryLoops gives them");
+                   " cloud points: it needs both, as {BoundaryLoops} gives them");
   for (const std::size_t corner : loop.corners)
     if (corner >= loop.curve.size())
       return refused(index, " names corner ", corner, ", but its curve has ", loop.curve.size(), " points");
@@ -131,13 +131,13 @@ checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index
     if (const std::size_t at = firstAway(graph, *line); at < line->size()) {
       const Eigen::Vector3d& p = (*line)[at];
       const double distance = p.allFinite() ? distanceToCloud(graph, p) : 0.0;
-      return refused(index, " has a point ", placeText(p), " that is not finite or ", distance,
-                     " mm from the cloud: give loops of the same cloud, or none to have them found");
+      return refused(index, " has a point ", Place(p), " that is not finite or ", distance,
+                     " {mm} from the {cloud}: give loops of the same cloud, or none to have them found");
     }
   if (!surfaceOnLeft(graph, loop))
-    return refused(index, " at ", placeText(loop.curve.front()),
+    return refused(index, " at ", Place(loop.curve.front()),
                    " has the surface on its right. If it is your own loop: reverse it, or find it with the same normals. If "
-                   "BoundaryLoops found it, the scan is no single sheet there: crop it (setCrop)");
+                   "{BoundaryLoops} found it, the {scan} is no single sheet there: crop it ({setCrop})");
   return Status::success();
 }
 
@@ -147,10 +147,10 @@ checkFoundLoops(const SurfaceGraph& graph, const std::vector<BoundaryLoop>& loop
   for (const BoundaryLoop& loop : loops)
     if (!surfaceOnLeft(graph, loop))
       return {StatusCode::Failed,
-              textOf("the scan is no single sheet: an edge of the surface ends in the middle of it at ", placeText(loop.curve.front()),
-                     ", ", loop.length,
-                     " mm round, so that something hangs over the surface there, such as a branch or an overhang, or the scan "
-                     "is noisy in depth: cut a part without it (setCrop), or keep the cutter out of there (addKeepOut)")};
+              Diagnostic("the {scan} is no single sheet: an edge of the surface ends in the middle of it at ", Place(loop.curve.front()),
+                         ", ", loop.length,
+                         " {mm} round, so that something hangs over the surface there, such as a branch or an overhang, or the {scan} "
+                         "is noisy in depth: cut a part without it ({setCrop}), or keep the cutter out of there ({addKeepOut})")};
   return Status::success();
 }
 

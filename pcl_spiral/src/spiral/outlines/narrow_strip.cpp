@@ -2,7 +2,7 @@
 #include "narrow_strip.h"
 
 #include <pcl_spiral/cleaning/impl/point_groups.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
@@ -61,13 +61,14 @@ refuseNarrowStrip(const std::vector<BoundaryLoop>& outlines, std::size_t of, dou
   const double width = narrowest.distance();
   const Eigen::AlignedBox3d box = boxAbout(narrowest, pairs, std::max(narrow * spacing, wider * width));
   return {StatusCode::Failed,
-          textOf("the surface between two outlines is only ", width, " mm wide at ", placeText(0.5 * (narrowest.first + narrowest.second)),
-                 ", too narrow for points ", spacing,
-                 " mm apart: scan it again, more densely, keep the cutter out of there with a polygon that covers the narrow strip, from ",
-                 placeText(box.min()), " to ", placeText(box.max()), " (addKeepOut), or choose the radial method (setMethod)")};
+          Diagnostic(
+              "the surface between two outlines is only ", width, " {mm} wide at ", Place(0.5 * (narrowest.first + narrowest.second)),
+              ", too narrow for points ", spacing,
+              " {mm} apart: {scan it again, more densely}, keep the cutter out of there with a polygon that covers the narrow strip, from ",
+              Place(box.min()), " to ", Place(box.max()), " ({addKeepOut}), or choose the radial method ({setMethod})")};
 }
 
-std::string
+Diagnostic
 keepOutText(const Polyline& places, double spacing)
 {
   if (places.empty())
@@ -76,8 +77,8 @@ keepOutText(const Polyline& places, double spacing)
   for (const Eigen::Vector3d& p : places)
     box.extend(p);
   const Eigen::Vector3d aside(spacing, spacing, 0.0);
-  return textOf("keep the cutter out of what stands there with a polygon that covers it, from ", placeText(box.min() - aside), " to ",
-                placeText(box.max() + aside), " (addKeepOut), or ");
+  return Diagnostic("keep the cutter out of what stands there with a polygon that covers it, from ", Place(box.min() - aside), " to ",
+                    Place(box.max() + aside), " ({addKeepOut}), or ");
 }
 
 } // namespace pcl_spiral

@@ -9,7 +9,6 @@
 #include <pcl_spiral/features/boundary_loop.h>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -20,6 +19,6 @@ Status refuseNarrowStrip(const std::vector<BoundaryLoop>& outlines, std::size_t 
 
 /** "keep the cutter out of what stands there with a polygon that covers it, from (1, 2, 3) to (4, 5, 6) (addKeepOut), or " for \p places
  *  and one \p spacing round them, mm, if there are any; else nothing: a part of a message. */
-std::string keepOutText(const Polyline& places, double spacing);
+Diagnostic keepOutText(const Polyline& places, double spacing);
 
 } // namespace pcl_spiral

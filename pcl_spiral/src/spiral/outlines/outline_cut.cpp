@@ -4,7 +4,7 @@
 #include "handle_loop.h"
 #include "narrow_strip.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <array>
 #include <cstdint>
@@ -149,11 +149,11 @@ dropHandle(const StepOverMesh& mesh, const Triangulation& rest, double spacing, 
     points.push_back(mesh.positions[v]);
   if (way.empty() || length(points, true) > longest_noise_handle * spacing)
     return {StatusCode::Failed,
-            textOf("the surface has a handle at ", placeText(points.empty() ? mesh.positions.front() : points.front()), ", ",
-                   points.empty() ? 0.0 : length(points, true),
-                   " mm round: a path at constant scallop needs a sheet with only a rim and holes; ", keepOutText(points, spacing),
-                   "if the scan holds more than the part, such as the table below it, crop it to the part (setCrop), "
-                   "or cut the part into pieces")};
+            Diagnostic("the surface has a handle at ", Place(points.empty() ? mesh.positions.front() : points.front()), ", ",
+                       points.empty() ? 0.0 : length(points, true),
+                       " {mm} round: a path at constant scallop needs a sheet with only a rim and holes; ", keepOutText(points, spacing),
+                       "if the {scan} holds more than the part, such as the table below it, crop it to the part ({setCrop}), "
+                       "or cut the part into pieces")};
   for (const std::uint32_t v : way)
     dead[v] = 1;
   dropped = true;

@@ -3,7 +3,7 @@
 #include <pcl_spiral/spiral/axis_field.h>
 
 #include "core/smooth_axes.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <pcl/console/print.h>
 
@@ -20,20 +20,22 @@ Status
 AxisField::check() const
 {
   if (!path_ || path_->empty())
-    return {StatusCode::InvalidInput, "no path was given; call setInputPath"};
+    return {StatusCode::InvalidInput, "no path was given; call {setInputPath}"};
   if (!(smoothing_length_ >= 0.0) || !std::isfinite(smoothing_length_))
     return {StatusCode::InvalidArgument,
-            textOf("the smoothing length is ", smoothing_length_, " mm; set it above 0, or 0 for no smoothing")};
+            Diagnostic("the smoothing length is ", smoothing_length_, " {mm}; set it above 0, or 0 for no smoothing")};
   if (!(max_deviation_ > 0.0) || !(max_deviation_ <= 180.0))
-    return {StatusCode::InvalidArgument, textOf("the largest deviation is ", max_deviation_, " degrees; set it above 0 and up to 180")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the largest deviation is ", max_deviation_, " {degrees}; set it above 0 and up to 180")};
   if (!(max_axis_rate_ >= 0.0) || !std::isfinite(max_axis_rate_))
-    return {StatusCode::InvalidArgument, textOf("the axis rate is ", max_axis_rate_, " degrees per mm; set it above 0, or 0 for no limit")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the axis rate is ", max_axis_rate_, " {degrees} per {mm}; set it above 0, or 0 for no limit")};
   for (std::size_t i = 0; i < path_->size(); ++i) {
     const ToolpathPoint& p = (*path_)[i];
     if (!p.getVector3fMap().allFinite() || !p.getNormalVector3fMap().allFinite() || !p.getAxisVector3fMap().allFinite())
-      return {StatusCode::InvalidInput, textOf("path point ", i, ", its normal or its axis is not finite; remove it")};
+      return {StatusCode::InvalidInput, Diagnostic("path point ", i, ", its normal or its axis is not finite; remove it")};
     if (!(p.getAxisVector3fMap().norm() > shortest_vector))
-      return {StatusCode::InvalidInput, textOf("path point ", i, " has no axis; set axis_x, axis_y, axis_z before")};
+      return {StatusCode::InvalidInput, Diagnostic("path point ", i, " has no axis; set axis_x, axis_y, axis_z before")};
   }
   return Status::success();
 }
@@ -58,9 +60,9 @@ AxisField::smooth(Path& output)
     const AxisLean lean = largestLean(normals, field.axes);
     largest_lean_ = lean.angle / degree;
     if (liesInSurface(lean, normals, wanted))
-      return {StatusCode::Failed,
-              textOf("the axis would lean ", largest_lean_, " degrees from the normal at path point ", lean.point,
-                     " to keep the axis rate of ", max_axis_rate_, " degrees per mm: raise the axis rate, or round the path there")};
+      return {StatusCode::Failed, Diagnostic("the axis would lean ", largest_lean_, " {degrees} from the normal at path point ", lean.point,
+                                             " to keep the axis rate of ", max_axis_rate_,
+                                             " {degrees} per {mm}: raise the axis rate, or round the path there")};
   }
   if (&output != path_.get())
     output = *path_;

@@ -7,17 +7,16 @@
 #include <pcl_spiral/common/status.h>
 
 #include <cstddef>
-#include <string>
 
 namespace pcl_spiral {
 
 /** Ok, or an error if \p what, of \p size points, is empty, as it is after a stage before has failed. */
 inline Status
-checkGiven(std::size_t size, const std::string& what)
+checkGiven(std::size_t size, const Diagnostic& what)
 {
   if (size > 0)
     return Status::success();
-  return {StatusCode::InvalidInput, what + " is empty: look at the status of the stage that made it"};
+  return {StatusCode::InvalidInput, Diagnostic(what, " is empty: look at the status of the stage that made it")};
 }
 
 } // namespace pcl_spiral

@@ -7,7 +7,7 @@
 
 #include "core/smooth_axes.h"
 #include "core/tilted_axes.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ axesOf(const SpiralPath& path, const SpiralSettings& settings, std::vector<Eigen
 /** Leans the tool less where its shank would enter \p obstacles, with a warning. \p field keeps its figures of the deviation. */
 void
 easeBeside(const std::vector<Eigen::Vector3f>& obstacles, const SpiralPath& path, const SpiralSettings& settings, SmoothAxes& field,
-           std::vector<std::string>& warnings)
+           Diagnostics& warnings)
 {
   constexpr double ramp = 2.0, share_of_rate = 0.5; // radii from upright to the whole lean; what it takes of the largest rate
   const double lean = largestLean(path.normals, field.axes).angle, most = radians(settings.max_axis_rate);
@@ -99,10 +99,10 @@ easeBeside(const std::vector<Eigen::Vector3f>& obstacles, const SpiralPath& path
   limited.deviating_points = field.deviating_points;
   field = std::move(limited);
   const auto least = static_cast<std::size_t>(std::min_element(shares.begin(), shares.end()) - shares.begin());
-  warnings.push_back(textOf("beside clusters of points the tool leans less than the set tilt, so that its shank clears them: at ", eased,
-                            " of ", shares.size(), " path points, least at ", placeText(path.contacts[least]), " in turn ",
-                            path.turns[least], ", by ", degrees(std::acos(std::min(1.0, field.axes[least].dot(path.normals[least])))),
-                            " degrees"));
+  warnings.push_back(Diagnostic("beside clusters of points the tool leans less than the set tilt, so that its shank clears them: at ",
+                                eased, " of ", shares.size(), " path points, least at ", Place(path.contacts[least]), " in turn ",
+                                path.turns[least], ", by ", degrees(std::acos(std::min(1.0, field.axes[least].dot(path.normals[least])))),
+                                " {degrees}"));
 }
 
 /** The same axis everywhere; a ball touches the surface with its shank where they lie along each other. */
@@ -112,9 +112,9 @@ setFixedAxis(const Eigen::Vector3d& axis, SpiralPath& path, AxisFigures& figures
   constexpr double flattest = 89.0; // degrees
   const AxisLean lean = largestLean(path.normals, std::vector<Eigen::Vector3d>(path.normals.size(), axis));
   if (degrees(lean.angle) > flattest)
-    return {StatusCode::Failed,
-            textOf("the fixed tool axis leans ", degrees(lean.angle), " degrees from the normal at ", placeText(path.contacts[lean.point]),
-                   ", and the shank would touch the part: choose another axis (setFixedAxis), or leave it out")};
+    return {StatusCode::Failed, Diagnostic("the fixed tool axis leans ", degrees(lean.angle), " {degrees} from the normal at ",
+                                           Place(path.contacts[lean.point]),
+                                           ", and the shank would touch the part: choose another axis ({setFixedAxis}), or leave it out")};
   path.axes.assign(path.contacts.size(), axis.cast<float>());
   figures.largest_lean = degrees(lean.angle);
   return Status::success();
@@ -134,7 +134,7 @@ fastMoves(const SpiralPath& path, double rate)
 } // namespace
 
 Status
-setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings,
+setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, Diagnostics& warnings,
             const std::vector<Eigen::Vector3f>& obstacles)
 {
   if (const Status status = checkGiven(path.contacts.size(), "the path"); !status.ok())
@@ -147,9 +147,9 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
     easeBeside(obstacles, path, settings, field, warnings);
   const AxisLean lean = largestLean(path.normals, field.axes);
   if (liesInSurface(lean, path.normals, wanted))
-    return {StatusCode::Failed,
-            textOf("the tool axis would lean ", degrees(lean.angle), " degrees from the normal at ", placeText(path.contacts[lean.point]),
-                   " to keep the largest axis rate of ", settings.max_axis_rate, " degrees per mm: raise the axis rate (setMaxAxisRate)")};
+    return {StatusCode::Failed, Diagnostic("the tool axis would lean ", degrees(lean.angle), " {degrees} from the normal at ",
+                                           Place(path.contacts[lean.point]), " to keep the largest axis rate of ", settings.max_axis_rate,
+                                           " {degrees} per {mm}: raise the axis rate ({setMaxAxisRate})")};
   const auto count = static_cast<std::int64_t>(field.axes.size());
   path.axes.resize(field.axes.size());
 #pragma omp parallel for schedule(static)
@@ -161,11 +161,11 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
   figures.largest_lean = degrees(lean.angle);
   figures.deviating_points = field.deviating_points;
   if (const std::size_t moves = fastMoves(path, radians(settings.max_axis_rate)); moves > 0)
-    warnings.push_back(textOf("on ", moves, " of ", count - 1, " moves the surface normal turns faster than the largest axis rate of ",
-                              settings.max_axis_rate,
-                              " degrees per mm: the tool axis cannot follow it there and differs from the set "
-                              "tilt by up to ",
-                              figures.largest_deviation, " degrees; allow a higher rate (setMaxAxisRate), or smooth the scan"));
+    warnings.push_back(Diagnostic("on ", moves, " of ", count - 1, " moves the surface normal turns faster than the largest axis rate of ",
+                                  settings.max_axis_rate,
+                                  " {degrees} per {mm}: the tool axis cannot follow it there and differs from the set "
+                                  "tilt by up to ",
+                                  figures.largest_deviation, " {degrees}; allow a higher rate ({setMaxAxisRate}), or smooth the {scan}"));
   return Status::success();
 }
 

@@ -3,7 +3,7 @@
 
 #include "search/pieces.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
@@ -201,11 +201,11 @@ ballReversals(const SpiralPath& path, double tool_radius)
   return found;
 }
 
-std::string
+Diagnostic
 reversalText(const PathReversals& reversals)
 {
-  return textOf("the path turns back by ", reversals.angle, " degrees from one move to the next at ", placeText(reversals.place),
-                " in turn ", reversals.turn, ", and by more than ", reversal, " degrees at ", reversals.count, " places in all");
+  return Diagnostic("the path turns back by ", reversals.angle, " {degrees} from one move to the next at ", Place(reversals.place),
+                    " in turn ", reversals.turn, ", and by more than ", reversal, " {degrees} at ", reversals.count, " places in all");
 }
 
 } // namespace pcl_spiral

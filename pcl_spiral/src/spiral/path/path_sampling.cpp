@@ -5,7 +5,7 @@
 #include "given_path.h"
 #include "path_feet.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/core/step_over.h>
 
@@ -69,8 +69,8 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
     const auto off = std::find_if(feet.begin(), feet.end(), [](const SurfaceFoot& f) { return !f.valid; });
     if (off != feet.end())
       return {StatusCode::Failed,
-              textOf("the path leaves the scanned surface at ", placeText(queries[off - feet.begin()]),
-                     ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
+              Diagnostic("the path leaves the {scanned surface} at ", Place(queries[off - feet.begin()]),
+                         ": the {scan} has a gap or a ragged rim there; {scan it again, more densely}, or cut the ragged part away")};
     const auto count = static_cast<std::int64_t>(end - begin);
 #pragma omp parallel for schedule(static, 1024)
     for (std::int64_t k = 0; k < count; ++k) {

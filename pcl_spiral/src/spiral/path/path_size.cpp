@@ -3,7 +3,7 @@
 #include <pcl_spiral/spiral/impl/path_size.h>
 
 #include "common/available_memory.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/impl/turn_function.h>
 
@@ -59,16 +59,16 @@ checkPathSize(const PathSize& size, double area, const SpiralSettings& settings,
   const bool too_many = !(size.points <= most) || !(size.knots <= most);
   if (!too_many && !(memory && size.bytes() > *memory))
     return Status::success();
-  const std::string asked = textOf("this path would be too large: about ", size.points, " points (", area, " mm2, ", size.turns, " turns ",
-                                   size.step_over, " mm apart, moves of ", size.step, " mm) and ", size.bytes() / 1e9, " GB of memory");
-  const std::string limit =
-      too_many ? textOf(", but at most ", most_path_points, " points are possible") : textOf(", but only ", *memory / 1e9, " GB are free");
+  const Diagnostic asked =
+      Diagnostic("this path would be too large: about ", size.points, " points (", area, " {mm2}, ", size.turns, " turns ", size.step_over,
+                 " {mm} apart, moves of ", size.step, " {mm}) and ", size.bytes() / 1e9, " GB of memory");
+  const Diagnostic limit = too_many ? Diagnostic(", but at most ", most_path_points, " points are possible")
+                                    : Diagnostic(", but only ", *memory / 1e9, " GB are free");
   return {StatusCode::InvalidArgument,
-          asked + limit +
-              textOf("; is the scan in another unit than mm? Otherwise raise the scallop height (", settings.scallop_height,
-                     " mm), the chord error (", settings.chord_error, " mm) or the longest move (",
-                     settings.max_step > 0.0 ? settings.max_step : settings.tool_radius, " mm), or take a larger tool (radius ",
-                     settings.tool_radius, " mm)")};
+          Diagnostic(asked, limit, "; is the {scan} in another unit than {mm} ({ReadOptions::unit})? Otherwise raise the scallop height (",
+                     settings.scallop_height, " {mm}), the chord error (", settings.chord_error, " {mm}) or the longest move (",
+                     settings.max_step > 0.0 ? settings.max_step : settings.tool_radius, " {mm}), or take a larger tool (radius ",
+                     settings.tool_radius, " {mm})")};
 }
 
 } // namespace pcl_spiral

@@ -8,7 +8,7 @@
 #include "tight_ride.h"
 
 #include "core/self_crossing.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
@@ -103,9 +103,9 @@ measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& 
     if (i > 0 && (path.over_gap[i - 1] || path.over_gap[i]))
       figures.length += path.arc_lengths[i] - path.arc_lengths[i - 1];
     if (path.over_gap[i] && settings.gaps == GapHandling::Refuse && settings.rim_overhang <= 0.0) // beyond the rim there is none
-      return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(path.contacts[i]),
-                                               ": no point of the scan lies near the path there; scan it again, or allow gaps to "
-                                               "be bridged (setGapHandling)")};
+      return {StatusCode::InvalidInput, Diagnostic("the {scan} has a gap at ", Place(path.contacts[i]),
+                                                   ": no point of the {scan} lies near the path there; {scan it again}, or allow gaps to "
+                                                   "be bridged ({setGapHandling})")};
   }
   return Status::success();
 }
@@ -148,8 +148,8 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
     if (first_bad < count) {
       const SpiralPoint& asked = curve[begin + first_bad];
       return {StatusCode::Failed,
-              textOf("the path leaves the scanned surface at ", placeText(asked.position), " in turn ", asked.turn,
-                     ": the scan has a gap or a ragged rim there; scan it again, more densely, or cut the ragged part away")};
+              Diagnostic("the path leaves the {scanned surface} at ", Place(asked.position), " in turn ", asked.turn,
+                         ": the {scan} has a gap or a ragged rim there; {scan it again, more densely}, or cut the ragged part away")};
     }
     if (settings.tight == TightHandling::Refuse)
       for (const SurfaceFoot& foot : feet)
@@ -182,12 +182,14 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     figures.largest_gap = std::max(figures.largest_gap, (path.contacts[i] - path.contacts[i - 1]).norm());
     const double gap = (feet[i] - feet[i - 1]).norm();
     if (!(gap <= slack * longest_step))
-      return {StatusCode::Failed,
-              textOf("the path jumps by ", gap, " mm at ", placeText(path.contacts[i]), " in turn ", path.turns[i],
-                     ", more than the longest step of ", longest_step, " mm, while the normal turns by ",
-                     std::acos(std::clamp(path.normals[i].dot(path.normals[i - 1]), -1.0, 1.0)) * 180.0 / pi,
-                     " degrees: the surface folds there, or is too rough or too sparse; leave the place out (setCrop, addKeepOut), or scan "
-                     "it more densely")};
+      return {
+          StatusCode::Failed,
+          Diagnostic(
+              "the path jumps by ", gap, " {mm} at ", Place(path.contacts[i]), " in turn ", path.turns[i],
+              ", more than the longest step of ", longest_step, " {mm}, while the normal turns by ",
+              std::acos(std::clamp(path.normals[i].dot(path.normals[i - 1]), -1.0, 1.0)) * 180.0 / pi,
+              " {degrees}: the surface folds there, or is too rough or too sparse; leave the place out ({setCrop}, {addKeepOut}), or scan "
+              "it more densely")};
   }
   figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
   figures.points = path.contacts.size();
@@ -203,14 +205,14 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     return {StatusCode::Cancelled, "cancelled"};
   if (crossing)
     return {StatusCode::Failed,
-            textOf("the path crosses itself at ", placeText(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
-                   own_curve ? std::string(": change the curve there; its passes must not cross either")
-                   : settings.method == SpiralMethod::ConstantScallop
-                       ? std::string(": if the scan holds more than the part, such as the table below it, crop it to the part "
-                                     "(setCrop); else choose the other sense (setSense), ") +
-                             (settings.one_way ? "" : "passes with lifts between them (setOneWay), ") +
-                             "another scallop height or the radial method (setMethod)"
-                       : ": the radial lines there are not in order; " + constantScallopRemedy(settings))};
+            Diagnostic("the path crosses itself at ", Place(path.contacts[*crossing]), " in turn ", path.turns[*crossing],
+                       own_curve ? Diagnostic(": change the curve there; its passes must not cross either")
+                       : settings.method == SpiralMethod::ConstantScallop
+                           ? Diagnostic(": if the {scan} holds more than the part, such as the table below it, crop it to the part "
+                                        "({setCrop}); else choose the other sense ({setSense}), ") +
+                                 (settings.one_way ? "" : "passes with lifts between them ({setOneWay}), ") +
+                                 "another scallop height or the radial method ({setMethod})"
+                           : ": the radial lines there are not in order; " + constantScallopRemedy(settings))};
   measureTurns(path, settings, figures);
   return checkReversals(figures.reversals, settings);
 }

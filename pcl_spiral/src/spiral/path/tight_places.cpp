@@ -5,7 +5,7 @@
 #include "path_feet.h"
 #include "place_groups.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,16 +73,16 @@ TightPlaces::count() const
 }
 
 Status
-TightPlaces::refusal(const std::string& what, const Surface* surface) const
+TightPlaces::refusal(const Diagnostic& what, const Surface* surface) const
 {
   const std::size_t places = count();
   const double fitting = remedyRadius(surface ? tightestOf(*surface, radius_) : radius_);
   return {StatusCode::Failed,
-          textOf("the surface is hollow with radius ", radius_, " mm at ", placeText(place_), ", tighter than the tool radius ",
-                 tool_radius_,
-                 " mm: the cutter would gouge; let the ball ride over such places (setTightHandling), or use a smaller tool: a radius of ",
-                 fitting, " mm fits everywhere", surface ? " on the scan" : "", ". This is the tightest of ", feet_.size(), " ", what,
-                 " that are too tight, in ", places, places == 1 ? " place" : " separate places")};
+          Diagnostic(
+              "the surface is hollow with radius ", radius_, " {mm} at ", Place(place_), ", tighter than the tool radius ", tool_radius_,
+              " {mm}: the cutter would gouge; let the ball ride over such places ({setTightHandling}), or use a smaller tool: a radius of ",
+              fitting, " {mm} fits everywhere", surface ? " {on the scan}" : "", ". This is the tightest of ", feet_.size(), " ", what,
+              " that are too tight, in ", places, places == 1 ? " place" : " separate places")};
 }
 
 Status

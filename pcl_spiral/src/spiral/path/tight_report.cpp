@@ -4,7 +4,7 @@
 #include "place_groups.h"
 
 #include "cleaning/standing_clusters.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
 
@@ -74,43 +74,45 @@ measureLifts(const SpiralPath& path, double tolerance, SpiralReport& report)
   }
 }
 
-/** "1 place: ... up to 2 mm, the most at (1, 2, 3), and more than the scallop height on 4 mm^2 in all; no scallop ..." */
-std::string
+/** "1 place: ... up to 2 mm, the most at (1, 2, 3), and more than the scallop height on 4 mm2 in all; no scallop ..." */
+Diagnostic
 stockText(const std::vector<TightPlace>& places)
 {
   double area = 0.0;
   for (const TightPlace& place : places)
     area += place.area;
   const TightPlace& highest = places.front();
-  return textOf(places.size(), places.size() == 1 ? " place" : " places", ": it stays above the surface there and leaves up to ",
-                highest.height, " mm, the most at ", placeText(highest.place), ", and more than the scallop height on ", area,
-                " mm^2 in all; no scallop height is promised there");
+  return Diagnostic(places.size(), places.size() == 1 ? " place" : " places", ": it stays above the surface there and leaves up to ",
+                    highest.height, " {mm}, the most at ", Place(highest.place), ", and more than the scallop height on ", area,
+                    " {mm2} in all; no scallop height is promised there");
 }
 
-std::string
+Diagnostic
 hollowWarning(const std::vector<TightPlace>& places, double fitting_radius)
 {
-  return textOf("the ball does not reach ", stockText(places), ". A ball of radius ", fitting_radius,
-                " mm reaches everything (setToolRadius); BallReach maps the largest ball at each point, and setTightHandling refuses such "
-                "parts");
+  return Diagnostic("the ball does not reach ", stockText(places), ". A ball of radius ", fitting_radius,
+                    " {mm} reaches everything ({setToolRadius}); {BallReach} maps the largest ball at each point, and "
+                    "{setTightHandling(TightHandling::Refuse)} refuses such "
+                    "parts");
 }
 
-std::string
+Diagnostic
 missedWarning(const MissedPoints& missed)
 {
-  return textOf(
-      missed.count, missed.count == 1 ? " point of the scan stands" : " points of the scan stand", " up to ", missed.height,
-      " mm over the fitted surface, the most at ", placeText(missed.place),
+  return Diagnostic(
+      missed.count, missed.count == 1 ? " point of the {scan} stands" : " points of the {scan} stand", " up to ", missed.height,
+      " {mm} over the fitted surface, the most at ", Place(missed.place),
       ": unless these are false echoes, an edge or a step there has too few points, and the path cuts into it, deeper between the points; "
-      "scan more densely there, "
-      "keep out of it (addKeepOut), or, if it is the side of a part that lies on a table, crop the scan to the part (setCrop)");
+      "{scan more densely} there, "
+      "keep out of it ({addKeepOut}), or, if it is the side of a part that lies on a table, crop the {scan} to the part ({setCrop})");
 }
 
-std::string
+Diagnostic
 clusterWarning(const std::vector<TightPlace>& places)
 {
   return "the ball rides over clusters of points at " + stockText(places) +
-         ", nor within a step-over of them (setClusterHandling with Ride); it stays half a point spacing away from the points: edges "
+         ", nor within a step-over of them ({setClusterHandling(ClusterHandling::Ride)}); it stays half a point spacing away from the "
+         "points: edges "
          "farther beyond them are not known";
 }
 
@@ -121,13 +123,13 @@ reportBallReversals(const SpiralPath& path, const SpiralSettings& settings, Spir
   const PathReversals reversals = ballReversals(path, settings.tool_radius);
   report.reversals += reversals.count;
   if (reversals.count > 0)
-    report.warnings.push_back(
-        textOf("the ball turns back at ", reversals.count, reversals.count == 1 ? " place" : " places", " (", reversals.lifted,
-               " of them where it is lifted), by up to ", reversals.angle, " degrees at ", placeText(reversals.place), " in turn ",
-               reversals.turn, ", while its path over the surface runs on: the surface there is as hollow as the ball or more; ",
-               report.fitting_radius < settings.tool_radius ? textOf("a ball of radius ", report.fitting_radius, " mm reaches everything")
-                                                            : std::string("a smaller ball runs on"),
-               " (setToolRadius)"));
+    report.warnings.push_back(Diagnostic(
+        "the ball turns back at ", reversals.count, reversals.count == 1 ? " place" : " places", " (", reversals.lifted,
+        " of them where it is lifted), by up to ", reversals.angle, " {degrees} at ", Place(reversals.place), " in turn ", reversals.turn,
+        ", while its path over the surface runs on: the surface there is as hollow as the ball or more; ",
+        report.fitting_radius < settings.tool_radius ? Diagnostic("a ball of radius ", report.fitting_radius, " {mm} reaches everything")
+                                                     : Diagnostic("a smaller ball runs on"),
+        " ({setToolRadius})"));
 }
 
 } // namespace
@@ -138,11 +140,13 @@ checkRidden(const Surface& surface, const SpiralSettings& settings)
   if (surface.riddenPoints().empty())
     return Status::success();
   if (settings.method == SpiralMethod::Published)
-    return {StatusCode::InvalidArgument, "the published method does not ride over the clusters on the scan (setClusterHandling with Ride): "
-                                         "choose another method (setMethod)"};
+    return {StatusCode::InvalidArgument,
+            "the published method does not ride over the clusters on the {scan} ({setClusterHandling(ClusterHandling::Ride)}): "
+            "choose another method ({setMethod})"};
   if (settings.tight == TightHandling::Refuse)
-    return {StatusCode::InvalidArgument, "the ball must be lifted to ride over the clusters on the scan (setClusterHandling with Ride), "
-                                         "but setTightHandling refuses to lift it: leave one of them out"};
+    return {StatusCode::InvalidArgument,
+            "the ball must be lifted to ride over the clusters on the {scan} ({setClusterHandling(ClusterHandling::Ride)}), "
+            "but {setTightHandling(TightHandling::Refuse)} refuses to lift it: leave one of them out"};
   return checkRideHeight(surface.clusters(), settings.tool_radius);
 }
 
@@ -174,9 +178,9 @@ checkReach(const BallReach* reach)
             [](const UnreachedPoint& a, const UnreachedPoint& b) { return a.reach != b.reach ? a.reach < b.reach : a.index < b.index; });
   const auto missed = static_cast<std::size_t>((1.0 - well_reached) * all);
   return {StatusCode::InvalidArgument,
-          textOf("a ball of radius ", reach->radius(), " mm reaches only ", 100.0 * reached, " % of the surface; at ",
-                 placeText(reach->position(tight.front().index)), " only one of ", tight.front().reach, " mm fits. Use a ball of radius ",
-                 surely * tight[missed].reach, " mm or less, which reaches nine tenths of it (setToolRadius)")};
+          Diagnostic("a ball of radius ", reach->radius(), " {mm} reaches only ", 100.0 * reached, " % of the surface; at ",
+                     Place(reach->position(tight.front().index)), " only one of ", tight.front().reach, " {mm} fits. Use a ball of radius ",
+                     surely * tight[missed].reach, " {mm} or less, which reaches nine tenths of it ({setToolRadius})")};
 }
 
 void

@@ -5,7 +5,7 @@
 #include "spiral/outlines/narrow_strip.h"
 #include "straightened_ride.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/impl/tight_report.h>
@@ -237,10 +237,10 @@ unfreeRefusal(const std::vector<RiddenPoint>& unfree, const BallReach& reach, do
     feet.push_back(point.foot);
   }
   return {StatusCode::Failed,
-          textOf("the ball of radius ", tool_radius, " mm finds no free place over ", placeText(feet.front()), " in turn ",
-                 unfree.front().turn, feet.size() > 1 ? textOf(", nor at ", feet.size() - 1, " more places") : "",
-                 ": the surface closes round it; ", keepOutText(feet, spacing), "use a smaller tool (setToolRadius): a radius of ",
-                 share * largest, " mm reaches there")};
+          Diagnostic("the ball of radius ", tool_radius, " {mm} finds no free place over ", Place(feet.front()), " in turn ",
+                     unfree.front().turn, feet.size() > 1 ? Diagnostic(", nor at ", feet.size() - 1, " more places") : "",
+                     ": the surface closes round it; ", keepOutText(feet, spacing), "use a smaller tool ({setToolRadius}): a radius of ",
+                     share * largest, " {mm} reaches there")};
 }
 
 } // namespace

@@ -4,7 +4,7 @@
 
 #include "core/smooth_axes.h"
 #include "core/tilted_axes.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <pcl/console/print.h>
 
@@ -15,18 +15,18 @@ Status
 ToolAxis::check() const
 {
   if (!path_)
-    return {StatusCode::InvalidInput, "no path was given; call setInputPath"};
+    return {StatusCode::InvalidInput, "no path was given; call {setInputPath}"};
   if (path_->size() < 2)
-    return {StatusCode::InvalidInput, textOf("the path has ", path_->size(), " points; a feed direction needs at least 2")};
+    return {StatusCode::InvalidInput, Diagnostic("the path has ", path_->size(), " points; a feed direction needs at least 2")};
   for (double angle : {tilt_angle_, lead_angle_})
     if (!(std::abs(angle) <= 89.0))
-      return {StatusCode::InvalidArgument, textOf("the tilt or lead angle is ", angle, " degrees; set it between -89 and 89")};
+      return {StatusCode::InvalidArgument, Diagnostic("the tilt or lead angle is ", angle, " {degrees}; set it between -89 and 89")};
   for (std::size_t i = 0; i < path_->size(); ++i) {
     const ToolpathPoint& p = (*path_)[i];
     if (!p.getVector3fMap().allFinite() || !p.getNormalVector3fMap().allFinite())
-      return {StatusCode::InvalidInput, textOf("path point ", i, " or its normal is not finite; remove it")};
+      return {StatusCode::InvalidInput, Diagnostic("path point ", i, " or its normal is not finite; remove it")};
     if (!(p.getNormalVector3fMap().squaredNorm() > 1e-12f))
-      return {StatusCode::InvalidInput, textOf("path point ", i, " has no normal; set normal_x, normal_y, normal_z before")};
+      return {StatusCode::InvalidInput, Diagnostic("path point ", i, " has no normal; set normal_x, normal_y, normal_z before")};
   }
   return Status::success();
 }

@@ -3,7 +3,7 @@
 
 #include "turn_spacing.h"
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
 
@@ -31,18 +31,18 @@ measureTurns(const SpiralPath& path, const SpiralSettings& settings, PathFigures
           : closestTurns(path, counted, std::vector<double>(path.turns.begin(), path.turns.end()), turns_apart, widest_steps * flat);
 }
 
-std::string
+Diagnostic
 constantScallopRemedy(const SpiralSettings& settings)
 {
-  std::string without;
+  Diagnostic without;
   const auto leaveOut = [&without](bool given, const char* setting) {
     if (given)
-      without += (without.empty() ? ", without " : " and ") + std::string(setting);
+      without += Diagnostic(without.empty() ? ", without " : " and ", setting);
   };
-  leaveOut(settings.centre.has_value(), "a centre (setCenter)");
-  leaveOut(settings.lines != LineMethod::Automatic, "a method for radial lines (setLineMethod)");
-  leaveOut(settings.pitch == Pitch::AlongLine, "a pitch along them (setPitch)");
-  return "choose constant scallop height (setMethod)" + without;
+  leaveOut(settings.centre.has_value(), "a centre ({setCenter})");
+  leaveOut(settings.lines != LineMethod::Automatic, "a method for radial lines ({setLineMethod})");
+  leaveOut(settings.pitch == Pitch::AlongLine, "a pitch along them ({setPitch})");
+  return Diagnostic("choose constant scallop height ({setMethod})", without);
 }
 
 Status
@@ -50,7 +50,7 @@ checkReversals(const PathReversals& reversals, const SpiralSettings& settings)
 {
   if (reversals.count == reversals.at_corners || settings.method == SpiralMethod::ConstantScallop)
     return Status::success();
-  return {StatusCode::Failed, reversalText(reversals) + ": " + constantScallopRemedy(settings)};
+  return {StatusCode::Failed, Diagnostic(reversalText(reversals), ": ", constantScallopRemedy(settings))};
 }
 
 } // namespace pcl_spiral

@@ -6,8 +6,8 @@
 #include "taubin_curvature.h"
 
 #include "geodesic/dijkstra_tree.h"
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/core/bspline_fit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/core/step_over.h>
@@ -92,8 +92,8 @@ shortestWays(const PublishedLineRequest& request, const NeighbourLists& edges, c
   }
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i].points.size() < 2)
-      return {StatusCode::Failed, textOf("no way over the edges of the elliptic Gabriel graph leads from ", placeText(ends.starts[i]),
-                                         " to the rim at ", placeText(ends.ends[i]), ": the scan is disconnected between them")};
+      return {StatusCode::Failed, Diagnostic("no way over the edges of the elliptic Gabriel graph leads from ", Place(ends.starts[i]),
+                                             " to the rim at ", Place(ends.ends[i]), ": the {scan} is disconnected between them")};
   return Status::success();
 }
 
@@ -109,8 +109,8 @@ refine(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines, Pu
   for (const GeodesicLine& line : lines) {
     if (line.left_surface)
       return {StatusCode::Failed,
-              textOf("the shortest line from ", placeText(line.points.front()), " to the rim at ", placeText(line.points.back()),
-                     " leaves the surface at ", placeText(line.left_at), ": the outline is re-entrant, or the scan has a gap")};
+              Diagnostic("the shortest line from ", Place(line.points.front()), " to the rim at ", Place(line.points.back()),
+                         " leaves the surface at ", Place(line.left_at), ": the outline is re-entrant, or the {scan} has a gap")};
     figures.unsettled += !line.converged;
     figures.largest_move = std::max(figures.largest_move, line.largest_move);
   }
@@ -145,7 +145,7 @@ smooth(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines)
     line.feet.back().position = given.back();
     for (const SurfaceFoot& f : line.feet)
       if (!f.valid)
-        return {StatusCode::Failed, textOf("a smoothed line leaves the surface at ", placeText(f.position))};
+        return {StatusCode::Failed, Diagnostic("a smoothed line leaves the surface at ", Place(f.position))};
   }
   return Status::success();
 }
@@ -200,7 +200,7 @@ fit(const PublishedLineRequest& request, const NeighbourLists& edges, std::vecto
   }
   for (const RadialLine& line : lines)
     if (!(line.length() > 0.0))
-      return {StatusCode::Failed, textOf("no B-spline goes through the radial line that ends at ", placeText(line.feet.back().position))};
+      return {StatusCode::Failed, Diagnostic("no B-spline goes through the radial line that ends at ", Place(line.feet.back().position))};
   return Status::success();
 }
 

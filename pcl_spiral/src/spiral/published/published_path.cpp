@@ -5,7 +5,7 @@
 #include "published_step.h"
 
 #include "core/tilted_axes.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
@@ -25,8 +25,8 @@ publishedCurve(const SurfaceGraph& graph, const SpiralSettings& settings, Publis
   const auto step_over = stepOverPublished(settings.tool_radius, settings.scallop_height); // (16)
   if (!step_over)
     return {StatusCode::InvalidArgument,
-            textOf("there is no step-over for a tool radius of ", settings.tool_radius, " mm and a scallop height of ",
-                   settings.scallop_height, " mm: both must be above 0, the height below the radius")};
+            Diagnostic("there is no step-over for a tool radius of ", settings.tool_radius, " {mm} and a scallop height of ",
+                       settings.scallop_height, " {mm}: both must be above 0, the height below the radius")};
   figures.step_over = *step_over;
   SpiralSettings published = settings;
   published.pitch = Pitch::AlongLine; // (17)-(19)
@@ -34,7 +34,8 @@ publishedCurve(const SurfaceGraph& graph, const SpiralSettings& settings, Publis
                                settings.max_step > 0.0 ? settings.max_step : settings.tool_radius); // (13)-(15)
   published.max_step = figures.step;
   if (!(figures.step > 0.0))
-    return {StatusCode::InvalidArgument, textOf("there is no step for a chord error of ", settings.chord_error, " mm: set it above 0")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("there is no step for a chord error of ", settings.chord_error, " {mm}: set it above 0")};
   TurnFunction turns(set.lines, published, graph.spacing());
   turns.setEvenSteps(figures.step_over, figures.step);
   if (const Status status = turns.compute(); !status.ok())
@@ -71,8 +72,8 @@ publishedContacts(const MlsSurface& surface, const SpiralSettings& settings, con
       const SurfaceFoot& foot = feet[i - begin];
       if (!foot.valid)
         return {StatusCode::Failed,
-                textOf("the path leaves the scanned surface at ", placeText(curve[i].position), " in turn ", curve[i].turn,
-                       ": there is a gap, or the rim is too ragged for the projection ", "to the directional centroid")};
+                Diagnostic("the path leaves the {scanned surface} at ", Place(curve[i].position), " in turn ", curve[i].turn,
+                           ": there is a gap, or the rim is too ragged for the projection ", "to the directional centroid")};
       result.contacts[i] = foot.position;
       result.normals[i] = graph.normal(foot.nearest);
       result.turns[i] = static_cast<float>(curve[i].turn);
@@ -83,9 +84,9 @@ publishedContacts(const MlsSurface& surface, const SpiralSettings& settings, con
       return {StatusCode::Cancelled, "cancelled"};
   }
   if (too_hollow > 0)
-    result.warnings.push_back(textOf("at ", too_hollow, " path points, first at ", placeText(result.contacts[first_hollow]),
-                                     ", the surface is hollow with a radius below the tool radius of ", settings.tool_radius,
-                                     " mm: the cutter gouges there; the published step-over does not use the curvature"));
+    result.warnings.push_back(Diagnostic("at ", too_hollow, " path points, first at ", Place(result.contacts[first_hollow]),
+                                         ", the surface is hollow with a radius below the tool radius of ", settings.tool_radius,
+                                         " {mm}: the cutter gouges there; the published step-over does not use the curvature"));
   result.arc_lengths = arcLengths(result.contacts);
   return Status::success();
 }

@@ -7,7 +7,7 @@
 
 #include "core/self_crossing.h"
 #include "spiral/lines/surface_centre.h"
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
 
@@ -72,8 +72,8 @@ private:
     const SurfaceFoot foot = surface.project(asked ? *asked : found->position);
     if (!foot.valid)
       return {StatusCode::InvalidArgument,
-              textOf("the centre ", placeText(foot.position), " does not lie on the surface: give a point within three ", "spacings (",
-                     3.0 * graph_.spacing(), " mm) of the cloud, inside its rim, or none")};
+              Diagnostic("the centre ", Place(foot.position), " does not lie on the surface: give a point within three ", "spacings (",
+                         3.0 * graph_.spacing(), " {mm}) of the {cloud}, inside its rim, or none")};
     centre = foot.position;
     result_.lines.centre = centre;
     result_.lines.centre_settled = asked || found->settled;
@@ -87,10 +87,10 @@ private:
       if (&loop == choice.rim || &loop == choice.inner)
         continue;
       if (settings_.gaps == GapHandling::Refuse)
-        return {StatusCode::InvalidInput, textOf("the scan has a gap at ", placeText(loop.points.front()), ", ", loop.length,
-                                                 " mm round: scan it again, or allow the path to run over it (setGapHandling)")};
-      result_.warnings.push_back(textOf("the hole at ", placeText(loop.points.front()), ", ", loop.length,
-                                        " mm round, is not bridged: the published method cannot bridge holes"));
+        return {StatusCode::InvalidInput, Diagnostic("the {scan} has a gap at ", Place(loop.points.front()), ", ", loop.length,
+                                                     " {mm} round: {scan it again}, or allow the path to run over it ({setGapHandling})")};
+      result_.warnings.push_back(Diagnostic("the hole at ", Place(loop.points.front()), ", ", loop.length,
+                                            " {mm} round, is not bridged: the published method cannot bridge holes"));
     }
     return Status::success();
   }
@@ -106,7 +106,7 @@ private:
     request.progress = from(0.15, 0.5, "radial lines");
     if (choice.inner && settings_.centre)
       return {StatusCode::InvalidArgument,
-              textOf("a centre was given, ", placeText(*settings_.centre), ", but the surface has two boundaries: give no centre")};
+              Diagnostic("a centre was given, ", Place(*settings_.centre), ", but the surface has two boundaries: give no centre")};
     if (!choice.inner)
       if (const Status status = findCentre(surface, *choice.rim, request.centre); !status.ok())
         return status;
@@ -119,8 +119,8 @@ private:
     for (const RadialLine& line : result_.lines.lines)
       figures.largest_line_deviation = std::max(figures.largest_line_deviation, line.deviation);
     if (found.unsettled > 0)
-      result_.warnings.push_back(textOf(found.unsettled, " of ", figures.lines, " radial lines did not converge: they still ",
-                                        "moved sideways by up to ", found.largest_move, " mm"));
+      result_.warnings.push_back(Diagnostic(found.unsettled, " of ", figures.lines, " radial lines did not converge: they still ",
+                                            "moved sideways by up to ", found.largest_move, " {mm}"));
     return status;
   }
 
@@ -134,8 +134,8 @@ private:
     if (!going)
       return cancelled();
     if (crossing)
-      return {StatusCode::Failed, textOf("the path crosses itself at ", placeText(result_.contacts[*crossing]), " in turn ",
-                                         result_.turns[*crossing], ": the radial lines there cross or merge")};
+      return {StatusCode::Failed, Diagnostic("the path crosses itself at ", Place(result_.contacts[*crossing]), " in turn ",
+                                             result_.turns[*crossing], ": the radial lines there cross or merge")};
     return goOn(1.0, "done") ? Status::success() : cancelled();
   }
 

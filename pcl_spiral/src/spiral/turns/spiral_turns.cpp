@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/spiral_path.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
 #include <pcl_spiral/spiral/impl/radial_least_length.h>
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
@@ -10,18 +10,18 @@ namespace pcl_spiral {
 namespace {
 
 /** Warning of ridges at corners above the scallop height; empty if there are none. */
-std::string
+Diagnostic
 cornerWarning(const CornerRidge& ridge, const SpiralSettings& settings)
 {
   constexpr double much = 1.05; // times the scallop height
   const double height = settings.scallop_height;
   if (ridge.height <= much * height)
     return {};
-  const std::string left = ridge.height < settings.tool_radius
-                               ? textOf("ridges rise to ", ridge.height, " mm, above the scallop height of ", height, " mm")
-                               : "material is left uncut";
-  return textOf("near the corner of the outline at ", placeText(ridge.corner), " turns lie farther apart than along its sides: ", left,
-                "; with a scallop height of ", ridge.remedy, " mm a longer path leaves about ", height, " mm there");
+  const Diagnostic left = ridge.height < settings.tool_radius
+                              ? Diagnostic("ridges rise to ", ridge.height, " {mm}, above the scallop height of ", height, " {mm}")
+                              : "material is left uncut";
+  return Diagnostic("near the corner of the outline at ", Place(ridge.corner), " turns lie farther apart than along its sides: ", left,
+                    "; with a scallop height of ", ridge.remedy, " {mm} a longer path leaves about ", height, " {mm} there");
 }
 
 } // namespace
@@ -45,7 +45,7 @@ makeTurns(const RadialLineSet& lines, double spacing, double area, const SpiralS
   turns.largest_allowed_step = spiral.largestAllowedStep();
   turns.least_length = leastLength(lines, settings);
   turns.corner_ridge = function.highestCornerRidge();
-  if (const std::string warning = cornerWarning(turns.corner_ridge, settings); !warning.empty())
+  if (const Diagnostic warning = cornerWarning(turns.corner_ridge, settings); !warning.empty())
     turns.warnings.push_back(warning);
   return Status::success();
 }

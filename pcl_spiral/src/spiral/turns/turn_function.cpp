@@ -2,7 +2,7 @@
 #include <pcl_spiral/spiral/impl/tight_places.h>
 #include <pcl_spiral/spiral/impl/turn_function.h>
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/step_over.h>
 
 #include <algorithm>
@@ -159,8 +159,8 @@ TurnFunction::checkFeet() const
     for (std::size_t k = 0; k < lines_[i].feet.size(); ++k) {
       const SurfaceFoot& foot = footAt(i, k);
       if (!foot.valid)
-        return {StatusCode::Failed, textOf("radial line ", i, " leaves the scanned surface at ", placeText(foot.position),
-                                           ": scan the surface there, or leave the line out")};
+        return {StatusCode::Failed, Diagnostic("radial line ", i, " leaves the {scanned surface} at ", Place(foot.position),
+                                               ": scan the surface there, or leave the line out")};
       if (!(even_step_over_ > 0.0) && settings_.tight == TightHandling::Refuse)
         tight.add(foot);
     }

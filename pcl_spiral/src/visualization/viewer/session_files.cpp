@@ -85,7 +85,7 @@ ViewerSession::endLasso()
   const Prism prism(corners, window.projection().towards());
   if (!prism.fault().empty()) {
     beginLasso();
-    message = "this lasso cannot be used: " + prism.fault() + "; draw it again";
+    message = Diagnostic("this lasso cannot be used: ", prism.fault(), "; draw it again").text();
     return show();
   }
   const std::string file = newFile("_lasso");

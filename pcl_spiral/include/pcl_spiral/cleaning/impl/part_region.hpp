@@ -2,7 +2,7 @@
 #pragma once
 
 #include <pcl_spiral/cleaning/part_region.h>
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 #include <pcl_spiral/search/impl/usable_points.h>
@@ -19,19 +19,19 @@ Status
 PartRegion<PointT, PointNT>::check() const
 {
   if (crop_ && !crop_->fault().empty())
-    return {StatusCode::InvalidArgument, "the polygon of the crop is no area: " + crop_->fault()};
+    return {StatusCode::InvalidArgument, Diagnostic("the polygon of the crop is no area: ", crop_->fault())};
   for (const Prism& prism : keep_outs_)
     if (!prism.fault().empty())
-      return {StatusCode::InvalidArgument, "the polygon of a keep-out is no area: " + prism.fault()};
+      return {StatusCode::InvalidArgument, Diagnostic("the polygon of a keep-out is no area: ", prism.fault())};
   if (!(tool_radius_ >= 0.0) || !(margin_ >= 0.0))
-    return {StatusCode::InvalidArgument, textOf("the tool radius is ", tool_radius_, " mm and the margin ", margin_,
-                                                " mm: neither may be below 0 (setToolRadius, setMargin)")};
+    return {StatusCode::InvalidArgument, Diagnostic("the tool radius is ", tool_radius_, " {mm} and the margin ", margin_,
+                                                    " {mm}: neither may be below 0 ({setToolRadius}, {setMargin})")};
   if (!(shank_length_ >= 0.0) || !(lean_ >= 0.0) || !(lean_ < 90.0))
-    return {StatusCode::InvalidArgument, textOf("the shank is ", shank_length_, " mm long and leans by ", lean_,
-                                                " degrees: give a length of 0 mm or more, and 0 to 90 degrees (setShank)")};
+    return {StatusCode::InvalidArgument, Diagnostic("the shank is ", shank_length_, " {mm} long and leans by ", lean_,
+                                                    " {degrees}: give a length of 0 {mm} or more, and 0 to 90 {degrees} ({setShank})")};
   if (normals_ && normals_->size() != this->input_->size())
-    return {StatusCode::InvalidInput, textOf("there are ", normals_->size(), " normals for ", this->input_->size(),
-                                             " points: call setInputNormals with one a point, or with none")};
+    return {StatusCode::InvalidInput, Diagnostic("there are ", normals_->size(), " normals for ", this->input_->size(),
+                                                 " points: call {setInputNormals} with one a point, or with none")};
   return checkIndices(this->indices_.get(), this->input_->size());
 }
 
@@ -114,9 +114,10 @@ PartRegion<PointT, PointNT>::choose(pcl::Indices& kept, pcl::Indices& removed)
   if (const Status status = check(); !status.ok())
     return status;
   if (into_cloud_ && !keep_outs_.empty() && !this->negative_)
-    return {StatusCode::InvalidArgument, "there are keep-outs (addKeepOut), which a cloud does not carry on, so that a path over it would "
-                                         "cross them: call filter with pcl::Indices, and give scan, indices and keep-outs to the planner "
-                                         "(setInputCloud, setIndices, setSurroundings)"};
+    return {StatusCode::InvalidArgument,
+            "there are keep-outs ({addKeepOut}), which a cloud does not carry on, so that a path over it would "
+            "cross them: call filter with pcl::Indices, and give scan, indices and keep-outs to the planner "
+            "({setInputCloud}, {setIndices}, {setSurroundings})"};
   for (const auto index : *this->indices_)
     (keeps(static_cast<std::size_t>(index)) ? kept : removed).push_back(index);
   return Status::success();

@@ -75,7 +75,7 @@ protected:
   }
 
 private:
-  static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call setInputCloud with points"}; }
+  static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call {setInputCloud} with points"}; }
 
   void tellFailure() const { PCL_ERROR("[pcl_spiral::%s::filter] %s\n", this->filter_name_.c_str(), status_.message().c_str()); }
 

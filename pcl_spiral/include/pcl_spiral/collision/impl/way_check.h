@@ -9,7 +9,6 @@
 #include <pcl_spiral/common/status.h>
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -39,6 +38,6 @@ double holeSizeBeside(double hole_size, const std::vector<Prism>& keep_outs, dou
 /** Ok, or Failed with the deepest place and the remedy if ball or shank of \p tool cut into what is \p around on the moves of \p path;
  *  \p blocked says by what. Warns of single points there, which are taken for false echoes. Lifts are not looked at. */
 Status checkWay(const pcl::PointCloud<ToolpathPoint>& path, const WayTool& tool, const Surroundings& around,
-                std::optional<BlockedWay>& blocked, std::vector<std::string>& warnings);
+                std::optional<BlockedWay>& blocked, Diagnostics& warnings);
 
 } // namespace pcl_spiral

@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/diagnostic.h>
 
 #include <omp.h>
 
@@ -23,7 +23,7 @@ checkThreads(unsigned int threads)
   if (threads <= most_threads)
     return Status::success();
   return {StatusCode::InvalidArgument,
-          textOf("the number of threads is ", threads, ": set 0 for all, or a count up to ", most_threads, " (setNumberOfThreads)")};
+          Diagnostic("the number of threads is ", threads, ": set 0 for all, or a count up to ", most_threads, " ({setNumberOfThreads})")};
 }
 
 /** The number of threads of a stage. Base of classes that have no other base with this setter. The base classes of PCL do not use

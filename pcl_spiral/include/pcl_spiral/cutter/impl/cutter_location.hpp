@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
@@ -42,32 +42,33 @@ template <typename PointT>
 Status
 CutterLocation<PointT>::check() const
 {
-  if (const std::string fault = faultOf(cutter_); !fault.empty())
+  if (const Diagnostic fault = faultOf(cutter_); !fault.empty())
     return {StatusCode::InvalidArgument, fault};
   if (!(options_.tolerance > 0.0) || !std::isfinite(options_.tolerance))
-    return {StatusCode::InvalidArgument, textOf("the contact tolerance is ", options_.tolerance, " mm; set it above 0")};
-  if (const std::string fault = faultOf(options_.holder); !fault.empty())
+    return {StatusCode::InvalidArgument, Diagnostic("the contact tolerance is ", options_.tolerance, " {mm}; set it above 0")};
+  if (const Diagnostic fault = faultOf(options_.holder); !fault.empty())
     return {StatusCode::InvalidArgument, fault};
   if (!(options_.holder_clearance >= 0.0) || !std::isfinite(options_.holder_clearance))
-    return {StatusCode::InvalidArgument, textOf("the holder's clearance is ", options_.holder_clearance, " mm; set it to 0 or more")};
+    return {StatusCode::InvalidArgument, Diagnostic("the holder's clearance is ", options_.holder_clearance, " {mm}; set it to 0 or more")};
   if (const CutterProfile profile(cutter_); !(ceiling_ == 0.0 || ceiling_ >= profile.topHeight()))
     return {StatusCode::InvalidArgument,
-            textOf("the ceiling is ", ceiling_, " mm above the drive points, but the cutter is ", profile.topHeight(),
-                   " mm high; set it above that, or to 0 for the length of the tool (setCeiling)")};
+            Diagnostic("the ceiling is ", ceiling_, " {mm} above the drive points, but the cutter is ", profile.topHeight(),
+                       " {mm} high; set it above that, or to 0 for the length of the tool ({setCeiling})")};
   if (!(options_.max_retilt >= 0.0) || !(options_.max_retilt <= 90.0))
-    return {StatusCode::InvalidArgument, textOf("the largest retilt is ", options_.max_retilt, " degrees; set it between 0 and 90")};
+    return {StatusCode::InvalidArgument, Diagnostic("the largest retilt is ", options_.max_retilt, " {degrees}; set it between 0 and 90")};
   if (!(options_.retilt_step >= 0.0) || !(options_.retilt_step <= 180.0))
-    return {StatusCode::InvalidArgument,
-            textOf("the largest retilt from one location to the next is ", options_.retilt_step, " degrees; set it between 0 and 180")};
+    return {StatusCode::InvalidArgument, Diagnostic("the largest retilt from one location to the next is ", options_.retilt_step,
+                                                    " {degrees}; set it between 0 and 180")};
   if (!(path_tolerance_ >= 0.0) || !std::isfinite(path_tolerance_))
-    return {StatusCode::InvalidArgument, textOf("the path tolerance is ", path_tolerance_, " mm; set it above 0, or to 0 for none")};
+    return {StatusCode::InvalidArgument, Diagnostic("the path tolerance is ", path_tolerance_, " {mm}; set it above 0, or to 0 for none")};
   const bool asked =
       std::any_of(drive_points_.begin(), drive_points_.end(), [](const DrivePoint& p) { return p.normal.squaredNorm() > 0.0; });
   if (options_.max_retilt > 0.0 && options_.retilt_step == 0.0 && !drive_points_.empty() && !asked)
-    return {StatusCode::InvalidArgument, textOf("axes may turn by ", options_.max_retilt,
-                                                " degrees for contacts to be reached, but no drive point "
-                                                "asks for one: give drive points their normals, limit the change of the turn along passes "
-                                                "(setRetiltStep), or set the largest retilt to 0")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("axes may turn by ", options_.max_retilt,
+                       " {degrees} for contacts to be reached, but no drive point "
+                       "asks for one: give drive points their normals, limit the change of the turn along passes "
+                       "({setRetiltStep}), or set the largest retilt to 0")};
   return checkDrivePoints(drive_points_);
 }
 
@@ -115,7 +116,7 @@ Status
 CutterLocation<PointT>::checkBesideMesh() const
 {
   if (given_location_)
-    return {StatusCode::InvalidArgument, "setLocationSurface was called beside setInputMesh, whose surface is its own: leave it out"};
+    return {StatusCode::InvalidArgument, "{setLocationSurface} was called beside {setInputMesh}, whose surface is its own: leave it out"};
   if (const Status status = pcl_spiral::checkBesideMesh(this->surfaceSettings(), this->scanned_.getInputNormals() != nullptr,
                                                         this->givenIndices() != nullptr);
       !status.ok())

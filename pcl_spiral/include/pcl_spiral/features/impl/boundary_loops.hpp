@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 
@@ -22,8 +22,8 @@ BoundaryLoops<PointT, PointNT>::run(std::vector<BoundaryLoop>& loops)
   options.progress = partOf(progress_, 0.6, 1.0, "boundaries");
   if (boundary_points_) {
     if (boundary_points_->size() != surface->inputSize())
-      return {StatusCode::InvalidInput, textOf("there are ", boundary_points_->size(), " boundary flags for ", surface->inputSize(),
-                                               " points: call setBoundaryPoints with one a point, of the whole cloud")};
+      return {StatusCode::InvalidInput, Diagnostic("there are ", boundary_points_->size(), " boundary flags for ", surface->inputSize(),
+                                                   " points: call {setBoundaryPoints} with one a point, of the whole cloud")};
     options.marked.resize(surface->size());
     for (std::size_t i = 0; i < surface->size(); ++i) {
       const std::uint32_t original = surface->graph().blocks().originalIndex(i), in_cloud = surface->sourceIndex(i);

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 namespace pcl_spiral {
 
@@ -34,18 +33,16 @@ CentroidBoundaryEstimation<PointInT, PointNT, PointOutT>::checkSearch() const
 {
   if (surface_ && surface_ != input_)
     return {StatusCode::InvalidInput, "a search surface other than the input cloud was set, but normals and results are "
-                                      "those of the input; give the whole cloud to setInputCloud, choose points by "
-                                      "setIndices, and leave setSearchSurface"};
+                                      "those of the input; give the whole cloud to {setInputCloud}, choose points by "
+                                      "{setIndices}, and leave {setSearchSurface}"};
   if (k_ != 0 && search_radius_ != 0.0)
-    return {StatusCode::InvalidArgument,
-            "both k (" + std::to_string(k_) + ") and radius (" + std::to_string(search_radius_) + ") are set; set one of them to 0"};
+    return {StatusCode::InvalidArgument, Diagnostic("both k (", k_, ") and radius (", search_radius_, ") are set; set one of them to 0")};
   if (k_ == 0 && search_radius_ == 0.0)
-    return {StatusCode::InvalidArgument, "neither k nor radius is set; call setKSearch(32)"};
+    return {StatusCode::InvalidArgument, "neither k nor radius is set; call {setKSearch}(32)"};
   if (k_ < 0 || k_ == 1 || k_ == 2 || k_ == 3)
-    return {StatusCode::InvalidArgument, "k is " + std::to_string(k_) + "; set it to 4 or more, 32 is recommended"};
+    return {StatusCode::InvalidArgument, Diagnostic("k is ", k_, "; set it to 4 or more, 32 is recommended")};
   if (k_ == 0 && !(search_radius_ > 0.0 && std::isfinite(search_radius_)))
-    return {StatusCode::InvalidArgument,
-            "the search radius is " + std::to_string(search_radius_) + "; set it to about 3 spacings of the points"};
+    return {StatusCode::InvalidArgument, Diagnostic("the search radius is ", search_radius_, "; set it to about 3 spacings of the points")};
   return Status::success();
 }
 
@@ -54,13 +51,13 @@ Status
 CentroidBoundaryEstimation<PointInT, PointNT, PointOutT>::check() const
 {
   if (!input_ || input_->empty())
-    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
+    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call {setInputCloud} with points"};
   if (!normals_ || normals_->size() != input_->size())
-    return {StatusCode::InvalidInput, "there are " + std::to_string(normals_ ? normals_->size() : 0) + " normals for " +
-                                          std::to_string(input_->size()) + " points; call setInputNormals with one a point"};
+    return {StatusCode::InvalidInput, Diagnostic("there are ", normals_ ? normals_->size() : 0, " normals for ", input_->size(),
+                                                 " points; call {setInputNormals} with one a point")};
   if (!(offset_threshold_ > 0.0) || !(angle_threshold_ > 0.0f))
-    return {StatusCode::InvalidArgument, "the thresholds are " + std::to_string(offset_threshold_) + " (offset) and " +
-                                             std::to_string(angle_threshold_) + " (angle, radians); set both above 0"};
+    return {StatusCode::InvalidArgument, Diagnostic("the thresholds are ", offset_threshold_, " (offset) and ", angle_threshold_,
+                                                    " (angle, radians); set both above 0")};
   if (const Status status = checkThreads(getNumberOfThreads()); !status.ok())
     return status;
   if (const Status status = checkIndices(Base::fake_indices_ ? nullptr : indices_.get(), input_->size()); !status.ok())

@@ -4,13 +4,13 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -54,10 +54,10 @@ OtherParts otherParts(const std::vector<SurfacePart>& parts, double share);
 std::size_t nearestPart(const SurfaceGraph& graph, const SurfaceParts& parts, const Eigen::Vector3d& place, double& distance);
 
 /** "7854 mm2 at (1, 2, 3), 12 mm2 at (4, 5, 6) and 7 more": \p parts as text with a point of each, the first few listed. */
-std::string partsText(const std::vector<SurfacePart>& parts);
+Diagnostic partsText(const std::vector<SurfacePart>& parts);
 
 /** The refusal of several \p parts of which none was chosen. */
-std::string severalPartsText(const std::vector<SurfacePart>& parts);
+Diagnostic severalPartsText(const std::vector<SurfacePart>& parts);
 
 /** For each point of the graph: 1 if it belongs only to parts other than number \p part. A point without a triangle
  *  does not. */

@@ -35,16 +35,15 @@ GeodesicPath<PointT, PointNT>::setTargetIndices(const pcl::Indices& targets)
 
 template <typename PointT, typename PointNT>
 Status
-GeodesicPath<PointT, PointNT>::checkPlace(const Place& place, const std::string& name) const
+GeodesicPath<PointT, PointNT>::checkPlace(const GivenPlace& place, const Diagnostic& name) const
 {
   if (!place.by_index && !place.position.allFinite())
-    return {StatusCode::InvalidArgument, "the " + name + " is not set, or not finite; give a position on the surface"};
+    return {StatusCode::InvalidArgument, Diagnostic("the ", name, " is not set, or not finite; give a position on the surface")};
   if (place.by_index && (!input_ || static_cast<std::size_t>(place.index) >= input_->size()))
-    return {StatusCode::InvalidArgument, "the index of the " + name + ", " + std::to_string(place.index) + ", is outside the cloud of " +
-                                             std::to_string(input_ ? input_->size() : 0) + " points"};
-  if (place.by_index && !pcl::isXYZFinite((*input_)[place.index]))
     return {StatusCode::InvalidArgument,
-            "the " + name + ", point " + std::to_string(place.index) + " of the cloud, is not finite; choose another"};
+            Diagnostic("the index of the ", name, ", ", place.index, ", is outside the cloud of ", input_ ? input_->size() : 0, " points")};
+  if (place.by_index && !pcl::isXYZFinite((*input_)[place.index]))
+    return {StatusCode::InvalidArgument, Diagnostic("the ", name, ", point ", place.index, " of the cloud, is not finite; choose another")};
   return Status::success();
 }
 
@@ -53,19 +52,19 @@ Status
 GeodesicPath<PointT, PointNT>::check() const
 {
   if (fit_neighbours_ != 0 && fit_neighbours_ < 6)
-    return {StatusCode::InvalidArgument, "a fit has " + std::to_string(fit_neighbours_) +
-                                             " neighbours; set 6 or more (setKSearch), better 32, or 0 to have them chosen"};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("a fit has ", fit_neighbours_, " neighbours; set 6 or more ({setKSearch}), better 32, or 0 to have them chosen")};
   if (targets_.empty())
-    return {StatusCode::InvalidArgument, "there are no targets; call setTargetPoints or setTargetIndices"};
+    return {StatusCode::InvalidArgument, "there are no targets; call {setTargetPoints} or {setTargetIndices}"};
   Status status = checkPlace(source_, "source");
   for (std::size_t i = 0; status.ok() && i < targets_.size(); ++i)
-    status = checkPlace(targets_[i], "target " + std::to_string(i));
+    status = checkPlace(targets_[i], Diagnostic("target ", i));
   return status.ok() ? checkRefinement(options_) : status;
 }
 
 template <typename PointT, typename PointNT>
 Eigen::Vector3d
-GeodesicPath<PointT, PointNT>::positionOf(const Place& place) const
+GeodesicPath<PointT, PointNT>::positionOf(const GivenPlace& place) const
 {
   return !place.by_index ? place.position : Eigen::Vector3d((*input_)[place.index].getVector3fMap().template cast<double>());
 }
@@ -83,7 +82,7 @@ GeodesicPath<PointT, PointNT>::run()
   if (const Status status = this->prepareSurface(surface); !status.ok())
     return status;
   Polyline targets;
-  for (const Place& target : targets_)
+  for (const GivenPlace& target : targets_)
     targets.push_back(positionOf(target));
   std::optional<MlsSurface> own_fit;
   if (fit_neighbours_ > 0)

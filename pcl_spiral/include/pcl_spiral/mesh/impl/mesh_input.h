@@ -19,11 +19,12 @@ namespace pcl_spiral {
 inline Status
 checkBesideMesh(const SurfaceSettings& settings, bool with_normals, bool with_indices)
 {
-  const std::string setter = with_normals ? "setInputNormals" : with_indices ? "setIndices" : disagreement(settings, SurfaceSettings());
+  const Diagnostic setter = with_normals ? "{setInputNormals}" : with_indices ? "{setIndices}" : disagreement(settings, SurfaceSettings());
   if (setter.empty())
     return Status::success();
-  return {StatusCode::InvalidArgument, setter + " was called beside setInputMesh, and has no meaning for a mesh: leave it out, or give a "
-                                                "cloud; a mesh is turned by MeshSettings::flip"};
+  return {StatusCode::InvalidArgument,
+          Diagnostic(setter, " was called beside {setInputMesh}, and has no meaning for a mesh: leave it out, or give a "
+                             "cloud; a mesh is turned by {MeshSettings::flip}")};
 }
 
 /** Takes a cloud or a surface, see SurfaceInput, or a mesh. The last one set counts. Base of DrivePath, CutterLocation,
@@ -69,7 +70,7 @@ protected:
       if (const Status status = SurfaceMesh::make(*polygons_, settings, mesh_); !status.ok())
         return status;
     if (!mesh_)
-      return {StatusCode::InvalidInput, "the input mesh is missing: call setInputMesh with a mesh that has faces"};
+      return {StatusCode::InvalidInput, "the input mesh is missing: call {setInputMesh} with a mesh that has faces"};
     return Status::success();
   }
 
@@ -78,8 +79,8 @@ protected:
   {
     if (surface.counts().guessed == 0)
       return Status::success();
-    return {StatusCode::InvalidInput, textOf("the surface has ", surface.counts().guessed, " points that were put into gaps, ", objection,
-                                             ": give the surface as it was before GapBridging")};
+    return {StatusCode::InvalidInput, Diagnostic("the surface has ", surface.counts().guessed, " points that were put into gaps, ",
+                                                 objection, ": give the surface as it was before {GapBridging}")};
   }
 
   bool on_mesh_ = false;       ///< the mesh is the last input set

@@ -8,7 +8,6 @@
 #include <pcl_spiral/core/polyline.h>
 
 #include <cstddef>
-#include <string>
 
 namespace pcl_spiral {
 
@@ -25,6 +24,6 @@ struct MeasuredLine {
  *
  *  InvalidInput, with the place: fewer than four points or more than 20,000; a point that is not finite; a gap of more than five spacings;
  *  a branch of the tree longer than five spacings. Shorter branches, which noise causes where points are close, become part of the line. */
-Status orderLine(const Polyline& points, const std::string& name, MeasuredLine& line);
+Status orderLine(const Polyline& points, const Diagnostic& name, MeasuredLine& line);
 
 } // namespace pcl_spiral

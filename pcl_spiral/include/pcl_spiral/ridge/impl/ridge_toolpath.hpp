@@ -15,7 +15,7 @@ RidgeToolpath<PointT>::run(DrivePasses& passes)
     return status;
   const ThreadLimit limit(this->getNumberOfThreads());
   if (!this->input_ || this->input_->empty() || !this->initCompute())
-    return {StatusCode::InvalidInput, "the rail is missing or empty: call setInputCloud with its points"};
+    return {StatusCode::InvalidInput, "the rail is missing or empty: call {setInputCloud} with its points"};
   Polyline rail, generator;
   bool inside = true;
   for (const auto index : *this->indices_) {
@@ -25,9 +25,9 @@ RidgeToolpath<PointT>::run(DrivePasses& passes)
   }
   this->deinitCompute();
   if (!inside)
-    return {StatusCode::InvalidArgument, "an index is outside the cloud of the rail: give indices of its points (setIndices)"};
+    return {StatusCode::InvalidArgument, "an index is outside the cloud of the rail: give indices of its points ({setIndices})"};
   if (!generator_ || generator_->empty())
-    return {StatusCode::InvalidInput, "the generator is missing or empty: call setInputGenerator with its points"};
+    return {StatusCode::InvalidInput, "the generator is missing or empty: call {setInputGenerator} with its points"};
   for (const PointT& p : *generator_)
     generator.push_back(p.getVector3fMap().template cast<double>());
   if (const Status status = RidgeSurface::make(rail, generator, settings_, ridge_); !status.ok())

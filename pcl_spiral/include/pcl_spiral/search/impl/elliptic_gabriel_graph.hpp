@@ -11,7 +11,6 @@
 #include <pcl/impl/pcl_base.hpp> // for point types that PCL has not compiled
 
 #include <cmath>
-#include <string>
 
 namespace pcl_spiral {
 
@@ -20,21 +19,20 @@ Status
 EllipticGabrielGraph<PointT, PointNT>::check() const
 {
   if (!input_ || input_->empty())
-    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
+    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call {setInputCloud} with points"};
   if (!(options_.alpha > 0.0) || options_.alpha * options_.alpha > 2.0 + 1e-12)
-    return {StatusCode::InvalidArgument, "alpha is " + std::to_string(options_.alpha) + "; set it above 0 and not above 1.4142"};
+    return {StatusCode::InvalidArgument, Diagnostic("alpha is ", options_.alpha, "; set it above 0 and not above 1.4142")};
   if (options_.candidates < 1)
-    return {StatusCode::InvalidArgument, "the number of candidates is " + std::to_string(options_.candidates) + "; set it to 1 or more"};
+    return {StatusCode::InvalidArgument, Diagnostic("the number of candidates is ", options_.candidates, "; set it to 1 or more")};
   if (!(options_.max_edge >= 0.0))
-    return {StatusCode::InvalidArgument,
-            "the longest edge is " + std::to_string(options_.max_edge) + " spacings; set it above 0, or 0 for any"};
+    return {StatusCode::InvalidArgument, Diagnostic("the longest edge is ", options_.max_edge, " spacings; set it above 0, or 0 for any")};
   if (!(max_normal_angle_ >= 0.0 && max_normal_angle_ <= 180.0))
     return {StatusCode::InvalidArgument,
-            "the largest angle between normals is " + std::to_string(max_normal_angle_) + " degrees; set it between 0 and 180"};
+            Diagnostic("the largest angle between normals is ", max_normal_angle_, " {degrees}; set it between 0 and 180")};
   if (max_normal_angle_ > 0.0 && (!normals_ || normals_->size() != input_->size()))
-    return {StatusCode::InvalidInput, "the angle between normals needs one normal a point: there are " +
-                                          std::to_string(normals_ ? normals_->size() : 0) + " for " + std::to_string(input_->size()) +
-                                          " points; call setInputNormals"};
+    return {StatusCode::InvalidInput,
+            Diagnostic("the angle between normals needs one normal a point: there are ", normals_ ? normals_->size() : 0, " for ",
+                       input_->size(), " points; call {setInputNormals}")};
   if (const Status status = checkThreads(options_.threads); !status.ok())
     return status;
   return checkIndices(indices_.get(), input_->size());

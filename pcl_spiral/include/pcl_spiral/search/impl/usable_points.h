@@ -15,7 +15,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -27,8 +26,7 @@ checkIndices(const pcl::Indices* indices, std::size_t size)
   if (indices)
     for (const auto index : *indices)
       if (static_cast<std::size_t>(index) >= size)
-        return {StatusCode::InvalidInput,
-                "index " + std::to_string(index) + " is outside the cloud of " + std::to_string(size) + " points"};
+        return {StatusCode::InvalidInput, Diagnostic("index ", index, " is outside the cloud of ", size, " points")};
   return Status::success();
 }
 

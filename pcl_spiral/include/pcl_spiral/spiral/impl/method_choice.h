@@ -9,7 +9,6 @@
 #include <pcl_spiral/spiral/spiral_settings.h>
 #include <pcl_spiral/surface/surface.h>
 
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -23,7 +22,7 @@ struct MethodForesight {
   double radial_length = 0.0, radial_time = 0.0; ///< 0: Radial is not suitable for this surface
   double scallop_length = 0.0, scallop_time = 0.0;
   SpiralMethod method = SpiralMethod::ConstantScallop; ///< the better one
-  std::string why_not_radial;                          ///< if it is not suitable
+  Diagnostic why_not_radial;                           ///< if it is not suitable
 };
 
 /** Predict both methods on \p surface between \p loops (Outer, and Inner for holes).

@@ -4,12 +4,12 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/spiral/spiral_path.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -41,9 +41,9 @@ PathReversals ballReversals(const SpiralPath& path, double tool_radius);
 Status checkReversals(const PathReversals& reversals, const SpiralSettings& settings);
 
 /** The remedy for turns that cross or turn back: the other method, without the settings that it does not take. */
-std::string constantScallopRemedy(const SpiralSettings& settings);
+Diagnostic constantScallopRemedy(const SpiralSettings& settings);
 
 /** Place, angle and number of \p reversals, as the first part of a message. */
-std::string reversalText(const PathReversals& reversals);
+Diagnostic reversalText(const PathReversals& reversals);
 
 } // namespace pcl_spiral

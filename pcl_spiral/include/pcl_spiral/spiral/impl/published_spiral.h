@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -43,7 +42,7 @@ struct PublishedResult {
   std::vector<float> turns;
   PublishedFigures figures;
   std::vector<StageCost> stages; ///< in the order they ran
-  std::vector<std::string> warnings;
+  Diagnostics warnings;
 };
 
 /** A spiral by the method of Wu, Chai, Bo, Liu, Wang, "Spiral machining trajectory planning method based on

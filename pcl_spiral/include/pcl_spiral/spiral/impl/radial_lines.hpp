@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
@@ -19,7 +19,8 @@ RadialLines<PointT, PointNT>::check() const
 {
   for (const double tolerance : {tolerance_, fit_tolerance_})
     if (!(tolerance > 0.0) || !std::isfinite(tolerance))
-      return {StatusCode::InvalidArgument, textOf("a tolerance is ", tolerance, " mm: set it above 0 (setTolerance, setFitTolerance)")};
+      return {StatusCode::InvalidArgument,
+              Diagnostic("a tolerance is ", tolerance, " {mm}: set it above 0 ({setTolerance}, {setFitTolerance})")};
   for (const auto* point : {&center_, &start_point_})
     if (*point && !(*point)->allFinite())
       return {StatusCode::InvalidArgument, "the centre or start point is not finite: give a point, or clear it"};
@@ -46,9 +47,9 @@ RadialLines<PointT, PointNT>::run()
   if (const Status status = chooseBoundaries(loops_, mode_, choice); !status.ok())
     return status;
   if (choice.inner && center_)
-    return {StatusCode::InvalidArgument, textOf("a centre was given, ", placeText(*center_),
-                                                ", but the surface has two boundaries: leave the centre out (clearCenter), "
-                                                "or ask for one boundary (setBoundaryMode)")};
+    return {StatusCode::InvalidArgument, Diagnostic("a centre was given, ", Place(*center_),
+                                                    ", but the surface has two boundaries: leave the centre out ({clearCenter}), "
+                                                    "or ask for one boundary ({setBoundaryMode})")};
   const RadialLineRequest request{surface->fit(), *choice.rim,    choice.inner,
                                   center_,        start_point_,   method_,
                                   tolerance_,     fit_tolerance_, partOf(progress_, 0.5, 1.0, "radial lines")};

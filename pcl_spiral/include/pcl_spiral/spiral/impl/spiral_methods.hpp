@@ -68,7 +68,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::Const
 {
   if (settings_.hole_margin > 0.0 && report_.boundaries > 1)
     return {StatusCode::InvalidArgument, "turns of the radial method begin at the edge of the hole, but a margin about holes is asked "
-                                         "for (setHoleMargin): choose constant scallop height (setMethod), or leave the margin out"};
+                                         "for ({setHoleMargin}): choose constant scallop height ({setMethod}), or leave the margin out"};
   RadialLineSet lines;
   if (const Status status = makeLines(surface, loops, lines); !status.ok())
     return status;
@@ -131,8 +131,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::Con
   const Status scallop = makeConstantScallop(surface, loops, !foresight.why_not_radial.empty(), clock, turns);
   if (scallop.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
     return scallop;
-  report_.warnings.push_back("the radial method made the path, though a shorter one was foreseen at constant scallop height: " +
-                             scallop.message());
+  report_.warnings.push_back(
+      Diagnostic("the radial method made the path, though a shorter one was foreseen at constant scallop height: ", scallop.diagnostic()));
   const Status radial = makeRadial(surface, loops, clock, turns);
   if (radial.code() == StatusCode::Failed)
     return neitherMethod(scallop, radial);
@@ -145,7 +145,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surfa
 {
   if (given_lines_)
     return {StatusCode::InvalidArgument, "radial lines were given, but the published method makes its own: call "
-                                         "clearRadialLines, or setMethod with another method"};
+                                         "{clearRadialLines}, or {setMethod} with another method"};
   PublishedResult published;
   const ProgressCallback progress = partOf(progress_, 0.25, 1.0);
   const Status status = given_loops_.empty() ? planPublished(surface.graph(), settings_, progress, published)

@@ -5,9 +5,9 @@
 #pragma once
 
 #include <pcl_spiral/collision/impl/way_check.h>
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/common/impl/toolpath_fields.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/impl/method_choice.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
@@ -82,7 +82,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
 {
   if (given_lines_ && settings_.method == SpiralMethod::ConstantScallop)
     return {StatusCode::InvalidArgument, "radial lines were given, but a path at constant scallop height has none: call "
-                                         "clearRadialLines, or setMethod with SpiralMethod::Radial"};
+                                         "{clearRadialLines}, or {setMethod} with {SpiralMethod::Radial}"};
   if (given_lines_) {
     if (const Status status = checkLines(*given_lines_, surface->spacing()); !status.ok())
       return status;
@@ -127,10 +127,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::allAround(const Surface& 
   const pcl::IndicesPtr part = this->givenIndices();
   const bool of_this_cloud = this->input_ && part && this->input_->size() == surface.inputSize();
   if (!of_this_cloud && surface.counts().input < surface.inputSize() && around_.empty())
-    report_.warnings.push_back(
-        textOf("the surface was made from ", surface.counts().input, " of ", surface.inputSize(),
-               " points of a cloud, and what the others show is not known here: the ball may cut into it; give the cloud with its indices, "
-               "too, before the surface (setInputCloud, setInputSurface)"));
+    report_.warnings.push_back(Diagnostic(
+        "the surface was made from ", surface.counts().input, " of ", surface.inputSize(),
+        " points of a cloud, and what the others show is not known here: the ball may cut into it; give the {cloud} with its indices, "
+        "too, before the surface ({setInputCloud}, {setInputSurface})"));
   if (!of_this_cloud)
     return around;
   std::vector<std::uint8_t> is_part(this->input_->size(), 0);
@@ -167,10 +167,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::run(StageClock& clock, Sp
   if (const Status status = checkGivenParts(given_parts_, settings_, given_lines_.has_value()); !status.ok())
     return status;
   if (settings_.method == SpiralMethod::Published && !modifiers_.empty())
-    return {StatusCode::InvalidArgument, "the published method takes no modifiers: take them back, or choose another method (setMethod)"};
+    return {StatusCode::InvalidArgument, "the published method takes no modifiers: take them back, or choose another method ({setMethod})"};
   for (const Prism& prism : around_.keep_outs)
     if (!prism.fault().empty())
-      return {StatusCode::InvalidArgument, "the polygon of a keep-out is no area: " + prism.fault()};
+      return {StatusCode::InvalidArgument, Diagnostic("the polygon of a keep-out is no area: ", prism.fault())};
   const ThreadLimit limit(settings_.threads);
   Surface::ConstPtr surface;
   if (const Status status = makeSurface(surface); !status.ok())

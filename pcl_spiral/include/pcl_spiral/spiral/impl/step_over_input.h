@@ -5,12 +5,12 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <memory>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,7 +39,7 @@ public:
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
   /** Warnings of the last compute: a scan too coarse or with too much noise for the scallop height. */
-  const std::vector<std::string>& getWarnings() const { return warnings_; }
+  const Diagnostics& getWarnings() const { return warnings_; }
 
 protected:
   SurfaceSettings& surfaceSettings() override { return settings_; }             ///< Its own.
@@ -51,7 +51,7 @@ protected:
   std::vector<BoundaryLoop> given_loops_; ///< of setBoundaryLoops
   SpiralSettings settings_;               ///< those that define a step-over, and those of the stage
   ProgressCallback progress_;             ///< of setProgressCallback
-  std::vector<std::string> warnings_;     ///< of the last compute
+  Diagnostics warnings_;                  ///< of the last compute
 };
 
 /** Takes a field instead of a cloud or a surface. Base of ScallopLoops and LoopLinking. */

@@ -10,7 +10,6 @@
 #include <pcl_spiral/spiral/spiral_path.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -25,7 +24,7 @@ std::vector<Eigen::Vector3f> offSurface(const Surface& surface, const std::vecto
 /** Makes a hole of the part of each of \p loops that counts as a gap in the data, but in which the scan shows something that is not to be
  *  cut: \p around has more points there than a false echo, where a ball of \p radius or its shank can meet them. A warning for each. */
 void gapsToHoles(const Surroundings& around, const Surface& surface, double radius, std::vector<BoundaryLoop>& loops,
-                 std::vector<std::string>& warnings);
+                 Diagnostics& warnings);
 
 /** checkWay of \p path, whose \p report has spacing and noise. */
 Status checkSurroundings(const SpiralPath& path, const SpiralSettings& settings, const Surroundings& around, SpiralReport& report);

@@ -9,7 +9,6 @@
 #include <pcl_spiral/spiral/radial_line.h>
 #include <pcl_spiral/surface/surface.h>
 
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -34,7 +33,7 @@ public:
 
   /** Failed, with the tightest place, and the number of places and of feet, named \p what such as "path points". With a \p surface, the
    *  remedy is a ball that fits at all its points and at these feet; null: at these feet only. */
-  Status refusal(const std::string& what, const Surface* surface) const;
+  Status refusal(const Diagnostic& what, const Surface* surface) const;
 
 private:
   double tool_radius_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/surface/mls_projector.h>
@@ -58,16 +58,16 @@ MLSProjector<PointInT, PointOutT>::check() const
     return {StatusCode::InvalidInput, "the query cloud is empty: give it points, or none to project the input"};
   if (neighbours_ != 0 && neighbours_ < 6)
     return {StatusCode::InvalidArgument,
-            textOf("the number of neighbours is ", neighbours_, ": set 6 or more (setKSearch), or 0 to follow the noise")};
+            Diagnostic("the number of neighbours is ", neighbours_, ": set 6 or more ({setKSearch}), or 0 to follow the noise")};
   if (!(search_radius_ >= 0.0) || !std::isfinite(search_radius_) || (search_radius_ > 0.0 && neighbours_ > 0))
-    return {StatusCode::InvalidArgument, textOf("the search radius is ", search_radius_, " mm and k is ", neighbours_,
-                                                ": set one of them above 0 and the other to 0 (setSearchRadius, setKSearch)")};
+    return {StatusCode::InvalidArgument, Diagnostic("the search radius is ", search_radius_, " {mm} and k is ", neighbours_,
+                                                    ": set one of them above 0 and the other to 0 ({setSearchRadius}, {setKSearch})")};
   if (order_ != 0 && order_ != 2)
-    return {StatusCode::InvalidArgument,
-            textOf("the polynomial order is ", order_, ": set 2 for a quadric or 0 for the directional centroid (setPolynomialOrder)")};
+    return {StatusCode::InvalidArgument, Diagnostic("the polynomial order is ", order_,
+                                                    ": set 2 for a quadric or 0 for the directional centroid ({setPolynomialOrder})")};
   if (search_)
     return {StatusCode::InvalidArgument, "a search method was set, but neighbours are found by a search of the projector's "
-                                         "own: leave setSearchMethod out, or set it to null"};
+                                         "own: leave {setSearchMethod} out, or set it to null"};
   return Status::success();
 }
 
@@ -110,8 +110,9 @@ MLSProjector<PointInT, PointOutT>::run(std::vector<SurfaceFoot>& feet)
   if (search_radius_ > 0.0) {
     const double radius = search_radius_ / surface->spacing(), inside = std::round(pi * radius * radius);
     if (inside < fewest)
-      return {StatusCode::InvalidArgument, textOf("the search radius is ", search_radius_, " mm, where points lie ", surface->spacing(),
-                                                  " mm apart: set it to ", 2.0 * surface->spacing(), " mm or more (setSearchRadius)")};
+      return {StatusCode::InvalidArgument,
+              Diagnostic("the search radius is ", search_radius_, " {mm}, where points lie ", surface->spacing(), " {mm} apart: set it to ",
+                         2.0 * surface->spacing(), " {mm} or more ({setSearchRadius})")};
     neighbours = static_cast<int>(std::min(inside, static_cast<double>(surface->size())));
   }
   const MlsSurface fit(surface->graph(), neighbours, method_);

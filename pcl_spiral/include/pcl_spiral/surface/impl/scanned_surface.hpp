@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/search/impl/usable_points.h>
 #include <pcl_spiral/surface/impl/side_text.h>
 #include <pcl_spiral/surface/scanned_surface.h>
@@ -22,8 +22,8 @@ ScannedSurface<PointT, PointNT>::checkNormals(std::size_t size) const
 {
   if (!normals_ || normals_->size() == size)
     return Status::success();
-  return {StatusCode::InvalidInput,
-          textOf("there are ", normals_->size(), " normals for ", size, " points: call setInputNormals with one a point, or with none")};
+  return {StatusCode::InvalidInput, Diagnostic("there are ", normals_->size(), " normals for ", size,
+                                               " points: call {setInputNormals} with one a point, or with none")};
 }
 
 template <typename PointT, typename PointNT>
@@ -31,7 +31,7 @@ Status
 ScannedSurface<PointT, PointNT>::check() const
 {
   if (!this->input_ || this->input_->empty())
-    return {StatusCode::InvalidInput, "the input cloud is missing or empty: call setInputCloud with points"};
+    return {StatusCode::InvalidInput, "the input cloud is missing or empty: call {setInputCloud} with points"};
   const std::size_t size = this->input_->size();
   if (const Status status = checkNormals(size); !status.ok())
     return status;
@@ -39,15 +39,17 @@ ScannedSurface<PointT, PointNT>::check() const
     return status;
   if (settings_.outlier_neighbours < 0 || !(settings_.outlier_deviations > 0.0))
     return {StatusCode::InvalidArgument,
-            textOf("outlier removal by ", settings_.outlier_neighbours, " neighbours and ", settings_.outlier_deviations,
-                   " standard deviations: give 1 or more neighbours (0: none), and deviations above 0")};
+            Diagnostic("outlier removal by ", settings_.outlier_neighbours, " neighbours and ", settings_.outlier_deviations,
+                       " standard deviations: give 1 or more neighbours (0: none), and deviations above 0")};
   if (!(settings_.thinning >= 0.0) || !std::isfinite(settings_.thinning))
-    return {StatusCode::InvalidArgument, textOf("the thinning edge is ", settings_.thinning, " mm: give a length above 0, or 0 for none")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the thinning edge is ", settings_.thinning, " {mm}: give a length above 0, or 0 for none")};
   if (settings_.neighbours < 8)
     return {StatusCode::InvalidArgument,
-            textOf("k is ", settings_.neighbours, " neighbours: set 8 or more (setKSearch); 32 is recommended")};
+            Diagnostic("k is ", settings_.neighbours, " neighbours: set 8 or more ({setKSearch}); 32 is recommended")};
   if (!(settings_.alpha >= 1.0))
-    return {StatusCode::InvalidArgument, textOf("alpha is ", settings_.alpha, " spacings: below 1 the surface falls apart; 3 is usual")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("alpha is ", settings_.alpha, " spacings: below 1 the surface falls apart; 3 is usual")};
   if (settings_.view_point && !settings_.view_point->allFinite())
     return {StatusCode::InvalidArgument, "the view point is not finite: give the place where the scanner stood"};
   return checkIndices(givenIndices(), size);
@@ -88,8 +90,8 @@ ScannedSurface<PointT, PointNT>::filter(UsablePoints& usable, SurfaceCounts& cou
   if (settings_.thinning > 0.0) {
     const std::vector<std::uint32_t> kept = voxelRepresentatives(usable.positions, settings_.thinning);
     if (kept.empty() && !usable.source.empty())
-      return {StatusCode::InvalidArgument,
-              textOf("the thinning edge ", settings_.thinning, " mm is too small for the size of the cloud: raise it, or check the units")};
+      return {StatusCode::InvalidArgument, Diagnostic("the thinning edge ", settings_.thinning,
+                                                      " {mm} is too small for the size of the {cloud}: raise it, or check the units")};
     counts.thinned = keep(kept, LeftOut::Thinned);
   }
   return Status::success();
@@ -128,7 +130,7 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
   counts.duplicate = usable.duplicates;
   if (usable.source.empty())
     return {StatusCode::InvalidInput,
-            textOf("none of the ", counts.input, " points is finite: check the scan, or the columns of its file")};
+            Diagnostic("none of the ", counts.input, " points is finite: check the {scan}, or the columns of its file")};
   std::vector<std::uint32_t> dropped; // indices in the cloud
   std::vector<LeftOut> reasons;
   if (const Status status = filter(usable, counts, dropped, reasons); !status.ok())
@@ -148,13 +150,14 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
   const bool no_normal =
       normals_ && std::all_of(points.normals.begin(), points.normals.end(), [](const auto& n) { return n.isZero(0.0f); });
   if (no_normal && settings_.strict && settings_.trust_normals)
-    return {StatusCode::InvalidInput, textOf("none of the ", points.normals.size(),
-                                             " input normals has a direction, they are all zero or not numbers: give normals out of the "
-                                             "material, or none (setInputNormals with a null pointer)")};
+    return {StatusCode::InvalidInput,
+            Diagnostic("none of the ", points.normals.size(),
+                       " input normals has a direction, they are all zero or not numbers: give normals out of the "
+                       "material, or none ({setInputNormals} with a null pointer)")};
   if (const Status status = makeSurface(std::move(points), sidedSettings(), counts, parts, why); !status.ok())
     return status;
   if (!settings_.view_point)
-    for (std::string& warning : sensorWarnings(parts.side))
+    for (Diagnostic& warning : sensorWarnings(parts.side))
       parts.warnings.push_back(std::move(warning));
   if (no_normal)
     parts.warnings.push_back("the input normals are all zero or not numbers, and were not used");
@@ -194,8 +197,8 @@ ScannedSurface<PointT, PointNT>::checkSide(const Surface& surface) const
   }
   if (9 * std::min(same, other) <= std::max(same, other))
     return Status::success();
-  return {StatusCode::InvalidInput, textOf("the input normals have no common side: ", same, " point to one, ", other,
-                                           " to the other: orient them, or give none (setInputNormals)")};
+  return {StatusCode::InvalidInput, Diagnostic("the input normals have no common side: ", same, " point to one, ", other,
+                                               " to the other: orient them, or give none ({setInputNormals})")};
 }
 
 template <typename PointT, typename PointNT>

@@ -4,10 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/graph/outer_side.h>
-
-#include <string>
-#include <vector>
 
 namespace pcl_spiral {
 
@@ -15,13 +13,13 @@ namespace pcl_spiral {
 const char* nameOf(SideVote vote);
 
 /** What decided the outer side and how clearly, in one line. */
-std::string sideText(const OuterSide& side);
+Diagnostic sideText(const OuterSide& side);
 
 /** Warnings if the vote is weak or much of the surface disagrees with it, with the remedy. Empty if the side is clear, or if
  *  the user asked for the other side. */
-std::vector<std::string> sideWarnings(const OuterSide& side);
+Diagnostics sideWarnings(const OuterSide& side);
 
 /** A warning if the vote is that of a view point on the other side than +z, which nobody set: it came with the cloud. */
-std::vector<std::string> sensorWarnings(const OuterSide& side);
+Diagnostics sensorWarnings(const OuterSide& side);
 
 } // namespace pcl_spiral

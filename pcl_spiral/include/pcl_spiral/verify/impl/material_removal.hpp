@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 #include <pcl_spiral/verify/material_removal.h>
 
@@ -20,8 +20,8 @@ MaterialRemoval<PointT>::checkCloud() const
   if (!this->input_ || this->input_->size() == made_of)
     return Status::success();
   return {StatusCode::InvalidInput,
-          textOf("the cloud has ", this->input_->size(), " points, but the surface to judge by was made of a cloud of ", made_of,
-                 ": give the cloud that it was made of (setInputCloud before setInputSurface), or the surface alone")};
+          Diagnostic("the cloud has ", this->input_->size(), " points, but the surface to judge by was made of a cloud of ", made_of,
+                     ": give the cloud that it was made of ({setInputCloud} before {setInputSurface}), or the surface alone")};
 }
 
 template <typename PointT>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/impl/scanned_surface.hpp>
 #include <pcl_spiral/verify/impl/reference_input.h>
 
 #include <cmath>
-#include <string>
 
 namespace pcl_spiral {
 
@@ -40,13 +39,13 @@ template <typename PointT>
 Status
 ReferenceInput<PointT>::prepareMeshReference(const CutterPath& path)
 {
-  if (const std::string setter = disagreement(this->surfaceSettings(), SurfaceSettings()); !setter.empty() || this->getInputNormals())
-    return {StatusCode::InvalidArgument, (setter.empty() ? "setInputNormals" : setter) +
-                                             " was called beside setInputMesh: it belongs to scans, and a mesh's side is "
-                                             "that of its faces; leave it, or turn them over (setMeshSettings, flip)"};
+  if (const Diagnostic setter = disagreement(this->surfaceSettings(), SurfaceSettings()); !setter.empty() || this->getInputNormals())
+    return {StatusCode::InvalidArgument, Diagnostic((setter.empty() ? "{setInputNormals}" : setter),
+                                                    " was called beside {setInputMesh}: it belongs to scans, and a mesh's side is "
+                                                    "that of its faces; leave it, or turn them over ({MeshSettings::flip})")};
   if (!(sample_spacing_ >= 0.0) || !std::isfinite(sample_spacing_))
     return {StatusCode::InvalidArgument,
-            textOf("the sample spacing is ", sample_spacing_, " mm; set it above 0, or to 0 to have it chosen (setSampleSpacing)")};
+            Diagnostic("the sample spacing is ", sample_spacing_, " {mm}; set it above 0, or to 0 to have it chosen ({setSampleSpacing})")};
   if (const Status status = this->prepareMesh(mesh_settings_); !status.ok())
     return status;
   ReferenceMesh::ConstPtr samples;

@@ -15,7 +15,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -48,7 +47,7 @@ public:
   const std::vector<MeshRim>& rims() const { return rims_; }
   const CreaseLines& creases() const { return *creases_; }
   /** What was left out of the mesh, and what was found in it, in words. */
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const Diagnostics& warnings() const { return warnings_; }
 
 private:
   Status chooseFaces(const CutterPath& path);
@@ -60,7 +59,7 @@ private:
   std::vector<std::uint32_t> sample_faces_;
   std::vector<MeshRim> rims_;
   std::unique_ptr<CreaseLines> creases_;
-  std::vector<std::string> warnings_;
+  Diagnostics warnings_;
 };
 
 /** The most, mm, by which the surface behind face \p t may lie off it, as the bends of the mesh about its corners tell. Of an arc

@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -80,7 +79,7 @@ public:
   }
   /** Position and normal of point \p i of the graph on the mesh: its sample, not the fit; flat. */
   SurfaceFoot meshPlace(std::size_t i) const;
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const Diagnostics& warnings() const { return warnings_; }
 
 private:
   ReferenceSurface(Surface::ConstPtr surface, ReferenceMesh::ConstPtr mesh);
@@ -108,12 +107,12 @@ private:
   std::vector<std::unique_ptr<MoveIndex>> outermost_index_;
   std::vector<Gap> gaps_;
   double rim_length_ = 0.0, rim_strip_ = 0.0;
-  std::vector<std::string> warnings_;
+  Diagnostics warnings_;
 };
 
 /** Warnings about what the scan cannot show: the scallop height and the chord error
  *  asked for, if they are below its noise or below the noise of the surface fitted
  *  to it; for a mesh, below three times the latter. 0: nothing was asked for. */
-std::vector<std::string> noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error);
+Diagnostics noiseWarnings(const ReferenceSurface& reference, double scallop_height, double chord_error);
 
 } // namespace pcl_spiral

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl_spiral/common/impl/message.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/search/impl/usable_points.h>
 #include <pcl_spiral/verify/impl/tool_check.h>
 
@@ -17,7 +17,7 @@ Status
 ToolCheck<PointT>::checkCloud() const
 {
   if (!input_ || input_->empty())
-    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call setInputCloud with points"};
+    return {StatusCode::InvalidInput, "the input cloud is missing or empty; call {setInputCloud} with points"};
   return checkIndices(this->fake_indices_ ? nullptr : indices_.get(), input_->size());
 }
 
@@ -25,13 +25,13 @@ template <typename PointT>
 Status
 ToolCheck<PointT>::checkTool() const
 {
-  for (const std::string& fault : {faultOf(cutter_), faultOf(holder_)})
+  for (const Diagnostic& fault : {faultOf(cutter_), faultOf(holder_)})
     if (!fault.empty())
       return {StatusCode::InvalidArgument, fault};
   if (!(holder_clearance_ >= 0.0) || !std::isfinite(holder_clearance_))
-    return {StatusCode::InvalidArgument, textOf("the holder's clearance is ", holder_clearance_, " mm; set it to 0 or more")};
+    return {StatusCode::InvalidArgument, Diagnostic("the holder's clearance is ", holder_clearance_, " {mm}; set it to 0 or more")};
   if (!(tolerance_ > 0.0) || !std::isfinite(tolerance_))
-    return {StatusCode::InvalidArgument, textOf("the tolerance is ", tolerance_, " mm; set it above 0")};
+    return {StatusCode::InvalidArgument, Diagnostic("the tolerance is ", tolerance_, " {mm}; set it above 0")};
   return checkThreads(thread_count_);
 }
 

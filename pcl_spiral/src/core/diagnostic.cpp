@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/core/diagnostic.h>
+
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <ostream>
+
+namespace pcl_spiral {
+namespace {
+
+/** Text that grows by parts, some of it in brackets. A bracket in which something has no name is taken back when it closes. */
+class BracketedText {
+public:
+  void words(const std::string& words)
+  {
+    for (const char c : words) {
+      if (c == '(')
+        open_.push_back({text_.size() - (!text_.empty() && text_.back() == ' ' ? 1 : 0), false});
+      text_ += c;
+      if (c == ')' && !open_.empty()) {
+        if (open_.back().nameless)
+          text_.erase(open_.back().begin);
+        open_.pop_back();
+      }
+    }
+  }
+  void value(const std::string& text) { text_ += text; }
+  /** A field that has no name here; \p own: what it is called otherwise, shown if it stands in no bracket. */
+  void nameless(const std::string& own)
+  {
+    text_ += own;
+    if (!open_.empty())
+      open_.back().nameless = true;
+  }
+  const std::string& text() const { return text_; }
+
+private:
+  struct Bracket {
+    std::size_t begin; ///< in the text, with the space before it
+    bool nameless;
+  };
+  std::string text_;
+  std::vector<Bracket> open_;
+};
+
+/** Four digits; numbers of 10,000 or more to the last digit before the decimal point. */
+std::string
+numberText(double number)
+{
+  const bool is_large = !(std::abs(number) < 1e4);
+  char text[32];
+  std::snprintf(text, sizeof text, is_large ? "%.9g" : "%.4g", is_large ? std::round(number) : number);
+  return text;
+}
+
+/** Whether a field is a name of C++: "setStepOver", "Limits::gouge", "BallReach", "setTightHandling(TightHandling::Refuse)". */
+bool
+isSetting(const std::string& field)
+{
+  bool small = false;
+  for (const char c : field) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != ':' && c != '(' && c != ')')
+      return false;
+    if ((small && std::isupper(static_cast<unsigned char>(c)) != 0) || c == ':')
+      return true;
+    small = small || std::islower(static_cast<unsigned char>(c)) != 0;
+  }
+  return false;
+}
+
+} // namespace
+
+std::string
+placeText(const Eigen::Vector3d& p)
+{
+  std::string all = "(";
+  for (int axis = 0; axis < 3; ++axis) {
+    char number[400]; // the largest double has 309 digits before the decimal point
+    std::snprintf(number, sizeof number, "%.3f", p[axis]);
+    std::string one = number;
+    one.erase(one.find_last_not_of('0') + 1);
+    if (!one.empty() && one.back() == '.')
+      one.pop_back();
+    all += (axis > 0 ? ", " : "") + (one == "-0" ? "0" : one);
+  }
+  return all + ")";
+}
+
+void
+Diagnostic::add(const char* words)
+{
+  std::string plain;
+  const auto end = [&] {
+    if (!plain.empty())
+      parts_.push_back({Kind::Words, std::move(plain), Eigen::Vector3d::Zero()});
+    plain.clear();
+  };
+  for (const char* at = words; *at != '\0'; ++at) {
+    const bool doubled = (*at == '{' || *at == '}') && at[1] == *at;
+    const char* const close = *at == '{' && !doubled ? std::strchr(at, '}') : nullptr;
+    if (close != nullptr) {
+      end();
+      parts_.push_back({Kind::Field, std::string(at + 1, close), Eigen::Vector3d::Zero()});
+      at = close;
+    }
+    else {
+      plain += *at;
+      at += doubled ? 1 : 0;
+    }
+  }
+  end();
+}
+
+void
+Diagnostic::add(const std::string& name)
+{
+  if (!name.empty())
+    parts_.push_back({Kind::Name, name, Eigen::Vector3d::Zero()});
+}
+
+void
+Diagnostic::add(const Place& place)
+{
+  parts_.push_back({Kind::Place, {}, place.position});
+}
+
+void
+Diagnostic::add(const Direction& direction)
+{
+  parts_.push_back({Kind::Direction, {}, direction.vector});
+}
+
+void
+Diagnostic::add(double number)
+{
+  addNumber(numberText(number), number);
+}
+
+void
+Diagnostic::add(const SixDigits& number)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", number.value);
+  addNumber(text, number.value);
+}
+
+void
+Diagnostic::addNumber(std::string digits, double value)
+{
+  parts_.push_back({Kind::Number, std::move(digits), Eigen::Vector3d(value, 0.0, 0.0)});
+}
+
+Diagnostic
+Diagnostic::renamed(const std::string& from, const std::string& to) const
+{
+  Diagnostic other = *this;
+  for (Part& part : other.parts_)
+    if (part.kind == Kind::Name && part.text == from)
+      part.text = to;
+  return other;
+}
+
+Diagnostic&
+Diagnostic::operator+=(const Diagnostic& other)
+{
+  const std::vector<Part> more = other.parts_; // other may be this one
+  parts_.insert(parts_.end(), more.begin(), more.end());
+  return *this;
+}
+
+std::string
+Diagnostic::text(const Vocabulary& vocabulary) const
+{
+  BracketedText all;
+  for (const Part& part : parts_)
+    switch (part.kind) {
+    case Kind::Words:
+      all.words(part.text);
+      break;
+    case Kind::Name:
+    case Kind::Number:
+      all.value(part.text);
+      break;
+    case Kind::Place:
+      all.value(vocabulary.place ? vocabulary.place(part.value) : placeText(part.value));
+      break;
+    case Kind::Direction:
+      all.value(placeText(part.value));
+      break;
+    case Kind::Field:
+      if (const auto named = vocabulary.words.find(part.text); named != vocabulary.words.end())
+        all.value(named->second);
+      else if (!vocabulary.has_setters && isSetting(part.text))
+        all.nameless(part.text);
+      else
+        all.value(part.text);
+    }
+  return all.text();
+}
+
+std::string
+Diagnostic::id() const
+{
+  std::string all;
+  for (const Part& part : parts_)
+    switch (part.kind) {
+    case Kind::Words:
+      for (const char c : part.text)
+        all += c == '{' || c == '}' ? std::string(2, c) : std::string(1, c);
+      break;
+    case Kind::Name:
+      all += "{name}";
+      break;
+    case Kind::Number:
+      all += "{number}";
+      break;
+    case Kind::Place:
+      all += "{place}";
+      break;
+    case Kind::Direction:
+      all += "{direction}";
+      break;
+    case Kind::Field:
+      all += '{' + part.text + '}';
+    }
+  return all;
+}
+
+std::vector<Eigen::Vector3d>
+Diagnostic::places() const
+{
+  std::vector<Eigen::Vector3d> all;
+  for (const Part& part : parts_)
+    if (part.kind == Kind::Place)
+      all.push_back(part.value);
+  return all;
+}
+
+std::vector<Eigen::Vector3d>
+Diagnostic::directions() const
+{
+  std::vector<Eigen::Vector3d> all;
+  for (const Part& part : parts_)
+    if (part.kind == Kind::Direction)
+      all.push_back(part.value);
+  return all;
+}
+
+std::vector<double>
+Diagnostic::numbers() const
+{
+  std::vector<double> all;
+  for (const Part& part : parts_)
+    if (part.kind == Kind::Number)
+      all.push_back(part.value.x());
+  return all;
+}
+
+std::vector<std::string>
+Diagnostic::names() const
+{
+  std::vector<std::string> all;
+  for (const Part& part : parts_)
+    if (part.kind == Kind::Name)
+      all.push_back(part.text);
+  return all;
+}
+
+std::vector<std::string>
+Diagnostic::fields() const
+{
+  std::vector<std::string> all;
+  for (const Part& part : parts_)
+    if (part.kind == Kind::Field)
+      all.push_back(part.text);
+  return all;
+}
+
+std::vector<std::string>
+Diagnostic::settings() const
+{
+  std::vector<std::string> all;
+  for (const std::string& field : fields())
+    if (isSetting(field))
+      all.push_back(field);
+  return all;
+}
+
+std::vector<std::string>
+textsOf(const Diagnostics& diagnostics, const Vocabulary& vocabulary)
+{
+  std::vector<std::string> texts;
+  for (const Diagnostic& diagnostic : diagnostics)
+    texts.push_back(diagnostic.text(vocabulary));
+  return texts;
+}
+
+std::ostream&
+operator<<(std::ostream& stream, const Diagnostic& diagnostic)
+{
+  return stream << diagnostic.text();
+}
+
+} // namespace pcl_spiral

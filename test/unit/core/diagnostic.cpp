@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is said to users keeps its places, numbers and settings apart from its words, and each face shows them in its own way.
+#include <pcl_spiral/core/diagnostic.h>
+
+#include <gtest/gtest.h>
+
+namespace diagnostic_test {
+
+using namespace pcl_spiral;
+
+Diagnostic
+lowStep()
+{
+  return Diagnostic("the step-over is ", -1.5, " {mm} at ", Place({12.5, -3.0, 0.1251}), ", axis ", Direction({0.0, 0.0, 1.0}), ", in ",
+                    std::string("a{mm}(b.csv"), "; set it above 0 ({setStepOver}), or scan again");
+}
+
+TEST(Diagnostic, HasTheTextOfItsPartsInTheWordsOfCpp)
+{
+  EXPECT_EQ(lowStep().text(), "the step-over is -1.5 mm at (12.5, -3, 0.125), axis (0, 0, 1), in a{mm}(b.csv; set it above 0 "
+                              "(setStepOver), or scan again");
+  EXPECT_EQ(Diagnostic(0.0123456, " {mm}, ", 9999.4, ", ", 10367.5, ", ", 1234567u, ", ", std::size_t{20000000}, ", ", 'C').text(),
+            "0.01235 mm, 9999, 10368, 1234567, 20000000, C");
+  EXPECT_EQ(Diagnostic("at ", Place({-0.0001, 100.0, 8.45e5})).text(), "at (0, 100, 845000)");
+  EXPECT_EQ(Diagnostic(SixDigits(0.285611), " is more than ", SixDigits(0.28561)).text(), "0.285611 is more than 0.28561");
+  EXPECT_TRUE(Diagnostic().empty());
+  EXPECT_EQ(Diagnostic().text(), "");
+}
+
+TEST(Diagnostic, GivesItsFieldsToScripts)
+{
+  const Diagnostic d = lowStep();
+  EXPECT_EQ(d.id(), "the step-over is {number} {mm} at {place}, axis {direction}, in {name}; set it above 0 ({setStepOver}), or scan "
+                    "again");
+  ASSERT_EQ(d.places().size(), 1u);
+  EXPECT_EQ(d.places()[0], Eigen::Vector3d(12.5, -3.0, 0.1251)); // not rounded as the text is
+  ASSERT_EQ(d.directions().size(), 1u);
+  EXPECT_EQ(d.directions()[0], Eigen::Vector3d::UnitZ());
+  EXPECT_EQ(d.numbers(), std::vector<double>{-1.5});
+  EXPECT_EQ(d.names(), std::vector<std::string>{"a{mm}(b.csv"});
+  EXPECT_EQ(d.settings(), std::vector<std::string>{"setStepOver"});
+  EXPECT_EQ(
+      Diagnostic("{Limits::gouge}, {setClusterHandling(ClusterHandling::Ride)}, {PartRegion}, {scan}, {mm}, {scan it again}, "
+                 "{ReadOptions::skip_lines}")
+          .settings(),
+      (std::vector<std::string>{"Limits::gouge", "setClusterHandling(ClusterHandling::Ride)", "PartRegion", "ReadOptions::skip_lines"}));
+}
+
+TEST(Diagnostic, AFaceNamesFieldsItsOwnWay)
+{
+  Vocabulary words;
+  words.words = {{"setStepOver", "--step-over"}};
+  words.place = [](const Eigen::Vector3d& p) { return "<" + std::to_string(static_cast<int>(p.x())) + ">"; };
+  EXPECT_EQ(lowStep().text(words), "the step-over is -1.5 mm at <12>, axis (0, 0, 1), in a{mm}(b.csv; set it above 0 (--step-over), or "
+                                   "scan again");
+}
+
+TEST(Diagnostic, ARemarkInBracketsThatNamesWhatTheFaceHasNotIsLeftOut)
+{
+  Vocabulary words;
+  words.has_setters = false;
+  words.words = {{"setRows", "--rows"}};
+  EXPECT_EQ(lowStep().text(words), "the step-over is -1.5 mm at (12.5, -3, 0.125), axis (0, 0, 1), in a{mm}(b.csv; set it above 0, or scan "
+                                   "again");
+  EXPECT_EQ(Diagnostic("take even rows ({setRows}, {setStepOver}), or ({setRows}) none").text(words), "take even rows, or (--rows) none");
+  EXPECT_EQ(Diagnostic("sample it ({setSampleSpacing} ", 0.5, " {mm} (fine) or less): done").text(words), "sample it: done");
+  EXPECT_EQ(Diagnostic("thin (to an even (", "{setThinning} ", 2, ") spacing) it").text(words), "thin (to an even spacing) it");
+  EXPECT_EQ(Diagnostic("{setStepOver} was called (the {scan})").text(words), "setStepOver was called (the scan)");
+}
+
+TEST(Diagnostic, ADoubledBraceIsABrace)
+{
+  EXPECT_EQ(Diagnostic("give {{coolant: {{through: M88}}}} or {mm}").text(), "give {coolant: {through: M88}} or mm");
+  EXPECT_EQ(Diagnostic("give {{coolant: on}} or {mm}").id(), "give {{coolant: on}} or {mm}");
+  EXPECT_EQ(Diagnostic("has {", std::string("x"), "}").text(), "has {x}");
+  EXPECT_EQ(Diagnostic("has {", std::string("x"), "}").id(), "has {{{name}}}");
+}
+
+TEST(Diagnostic, GrowsByOthers)
+{
+  Diagnostic d = "a {mm}";
+  d += Diagnostic(", b at ", Place({1.0, 2.0, 3.0}));
+  d += d;
+  EXPECT_EQ(d.text(), "a mm, b at (1, 2, 3)a mm, b at (1, 2, 3)");
+  EXPECT_EQ(d.places().size(), 2u);
+  EXPECT_EQ(Diagnostic("file ", std::string("x.tmp"), " at x.tmp").renamed("x.tmp", "x.csv").text(), "file x.csv at x.tmp");
+}
+
+} // namespace diagnostic_test
