@@ -159,6 +159,7 @@ Diagnostic::renamed(const std::string& from, const std::string& to) const
   for (Part& part : other.parts_)
     if (part.kind == Kind::Name && part.text == from)
       part.text = to;
+  other.text_ = other.text(Vocabulary());
   return other;
 }
 
@@ -167,6 +168,7 @@ Diagnostic::operator+=(const Diagnostic& other)
 {
   const std::vector<Part> more = other.parts_; // other may be this one
   parts_.insert(parts_.end(), more.begin(), more.end());
+  text_ = text(Vocabulary());
   return *this;
 }
 

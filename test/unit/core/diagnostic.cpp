@@ -86,4 +86,17 @@ TEST(Diagnostic, GrowsByOthers)
   EXPECT_EQ(Diagnostic("file ", std::string("x.tmp"), " at x.tmp").renamed("x.tmp", "x.csv").text(), "file x.csv at x.tmp");
 }
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+TEST(Diagnostic, IsATextWhereVersion01HadOne)
+{
+  const Diagnostics warnings{lowStep(), "scan again"};
+  std::string all;
+  for (const std::string& warning : warnings)
+    all += warning + "\n";
+  EXPECT_EQ(all, lowStep().text() + "\nscan again\n");
+  EXPECT_STREQ(warnings[1].c_str(), "scan again");
+}
+#pragma GCC diagnostic pop
+
 } // namespace diagnostic_test

@@ -28,7 +28,11 @@ class Status {
 public:
   Status() = default; ///< Not computed.
   /** A result with what is said of it. */
-  Status(StatusCode code, Diagnostic diagnostic) : code_(code), diagnostic_(std::move(diagnostic)), message_(diagnostic_.text()) {}
+  Status(StatusCode code, Diagnostic diagnostic) : code_(code), diagnostic_(std::move(diagnostic)) {}
+  /** The same in words of the code. */
+  Status(StatusCode code, const char* words) : Status(code, Diagnostic(words)) {}
+  /** The same in a text from outside, in which nothing is a field. */
+  Status(StatusCode code, const std::string& text) : Status(code, Diagnostic(text)) {}
 
   static Status success() { return Status(StatusCode::Ok, "done"); } ///< Done.
   /** The status while a computation runs, and after an exception has left it. */
@@ -43,12 +47,11 @@ public:
   /** The fault, the place and value, and the remedy, as data. */
   const Diagnostic& diagnostic() const { return diagnostic_; }
   /** The text of diagnostic(), in the words of C++; one or more sentences. */
-  const std::string& message() const { return message_; }
+  const std::string& message() const { return diagnostic_.text(); }
 
 private:
   StatusCode code_ = StatusCode::NotComputed;
   Diagnostic diagnostic_ = "compute has not been called";
-  std::string message_ = diagnostic_.text();
 };
 
 /** Called with the share done, 0 to 1, and the name of the stage. Return false to cancel. Called from one thread only. */

@@ -63,7 +63,11 @@ class Diagnostic {
 public:
   Diagnostic() = default; ///< Nothing to say.
   /** Words of the code, with fields in braces. Implicit, so that a plain sentence is one. */
-  Diagnostic(const char* words) { add(words); }
+  Diagnostic(const char* words)
+  {
+    add(words);
+    text_ = text(Vocabulary());
+  }
   /** The parts one after the other: words (const char*), numbers, places, directions, other diagnostics, and names (std::string), which
    *  are shown as they are: of files, of regions, of axes, or what another library says. What comes from outside of the code must be a
    *  std::string: in a const char* braces mean fields. Real numbers have four digits; integers, and numbers of 10,000 or more, are
@@ -74,12 +78,18 @@ public:
   {
     add(first);
     (add(rest), ...);
+    text_ = text(Vocabulary());
   }
 
   bool empty() const { return parts_.empty(); } ///< Whether there is nothing to say.
 
-  std::string text() const { return text(Vocabulary()); } ///< The text as C++ users read it.
-  std::string text(const Vocabulary& vocabulary) const;   ///< The text in the words, places and units of \p vocabulary.
+  const std::string& text() const { return text_; }     ///< The text as C++ users read it.
+  std::string text(const Vocabulary& vocabulary) const; ///< The text in the words and places of \p vocabulary.
+  /** What warnings and faults were in version 0.1: a std::string.
+   *  @{ */
+  [[deprecated("text()")]] operator const std::string&() const { return text_; }
+  [[deprecated("text().c_str()")]] const char* c_str() const { return text_.c_str(); }
+  /** @} */
 
   /** The words without the values: "the step-over is {number} {mm} at {place}; set it above 0 ({setStepOver})". It is the same for all
    *  values, so scripts can know the kind of fault by it, and a translation can be found by it. Braces of the words
@@ -134,6 +144,7 @@ private:
   void addNumber(std::string digits, double value);
 
   std::vector<Part> parts_;
+  std::string text_; ///< in the words of C++
 };
 
 /** The text as C++ users read it. */

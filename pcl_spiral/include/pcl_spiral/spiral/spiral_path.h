@@ -12,6 +12,7 @@
 #include <pcl_spiral/surface/surface.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -133,6 +134,17 @@ Status putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surfac
  *  surface. */
 Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, Diagnostics& warnings,
                    const std::vector<Eigen::Vector3f>& obstacles = {});
+/** The same with warnings as texts. */
+[[deprecated("Diagnostics")]] inline Status
+setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings,
+            const std::vector<Eigen::Vector3f>& obstacles = {})
+{
+  Diagnostics said;
+  Status status = setToolAxes(settings, path, figures, said, obstacles);
+  for (const Diagnostic& warning : said)
+    warnings.push_back(warning.text());
+  return status;
+}
 
 /** Reversals and closest turns of \p path. The first and the last turn of each pass do not count: they run about the centre or along a
  *  boundary, where turns meet. Neighbouring turns are half a turn or more apart; with SpiralMethod::ConstantScallop they are stretches
