@@ -70,6 +70,18 @@ isSetting(const std::string& field)
   return false;
 }
 
+/** What \p valueOf gives for each part of a kind, in their order. */
+template <typename Part, typename Kind, typename ValueOf>
+auto
+taken(const std::vector<Part>& parts, Kind kind, ValueOf valueOf)
+{
+  std::vector<decltype(valueOf(parts.front()))> all;
+  for (const Part& part : parts)
+    if (part.kind == kind)
+      all.push_back(valueOf(part));
+  return all;
+}
+
 } // namespace
 
 std::string
@@ -233,51 +245,31 @@ Diagnostic::id() const
 std::vector<Eigen::Vector3d>
 Diagnostic::places() const
 {
-  std::vector<Eigen::Vector3d> all;
-  for (const Part& part : parts_)
-    if (part.kind == Kind::Place)
-      all.push_back(part.value);
-  return all;
+  return taken(parts_, Kind::Place, [](const Part& part) { return part.value; });
 }
 
 std::vector<Eigen::Vector3d>
 Diagnostic::directions() const
 {
-  std::vector<Eigen::Vector3d> all;
-  for (const Part& part : parts_)
-    if (part.kind == Kind::Direction)
-      all.push_back(part.value);
-  return all;
+  return taken(parts_, Kind::Direction, [](const Part& part) { return part.value; });
 }
 
 std::vector<double>
 Diagnostic::numbers() const
 {
-  std::vector<double> all;
-  for (const Part& part : parts_)
-    if (part.kind == Kind::Number)
-      all.push_back(part.value.x());
-  return all;
+  return taken(parts_, Kind::Number, [](const Part& part) { return part.value.x(); });
 }
 
 std::vector<std::string>
 Diagnostic::names() const
 {
-  std::vector<std::string> all;
-  for (const Part& part : parts_)
-    if (part.kind == Kind::Name)
-      all.push_back(part.text);
-  return all;
+  return taken(parts_, Kind::Name, [](const Part& part) { return part.text; });
 }
 
 std::vector<std::string>
 Diagnostic::fields() const
 {
-  std::vector<std::string> all;
-  for (const Part& part : parts_)
-    if (part.kind == Kind::Field)
-      all.push_back(part.text);
-  return all;
+  return taken(parts_, Kind::Field, [](const Part& part) { return part.text; });
 }
 
 std::vector<std::string>
