@@ -92,8 +92,8 @@ public:
   /** @} */
 
   /** The words without the values: "the step-over is {number} {mm} at {place}; set it above 0 ({setStepOver})". It is the same for all
-   *  values, so scripts can know the kind of fault by it, and a translation can be found by it. Braces of the words
-   *  are doubled. */
+   *  values, so scripts can know the kind of fault by it, and a translation can be found by it; only a list, as of separate parts, makes
+   *  it longer with each entry. Braces of the words are doubled. */
   std::string id() const;
   std::vector<Eigen::Vector3d> places() const;     ///< Its places in their order, mm.
   std::vector<Eigen::Vector3d> directions() const; ///< Its directions in their order.
