@@ -14,7 +14,7 @@ fault() { # WHAT LINES: reports the lines found, if any
 
 # Heights of the rooms: a room includes only rooms of its own height and below. toolpath: former places of headers.
 declare -A level=([core]=0 [common]=1 [search]=1 [graph]=2 [cleaning]=3 [features]=3 [surface]=3 [collision]=4 [geodesic]=4 [mesh]=4
-  [spiral]=5 [ridge]=5 [drive]=6 [cutter]=7 [verify]=8 [machine]=8 [io]=9 [visualization]=9 [toolpath]=10)
+  [spiral]=5 [ridge]=5 [drive]=6 [cutter]=7 [verify]=8 [machine]=8 [planning]=9 [io]=10 [visualization]=10 [toolpath]=11)
 
 library=pcl_spiral
 [ -d "$library" ] || { echo "no folder $library in $PWD: give the source directory" >&2; exit 2; }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "joined_drives.h"
 
-#include "terminal/region_choice.h"
-#include "terminal/region_overlap.h"
+#include "passes/scan_surface.h"
+
+#include "planning/joined_plan.h"
 
 #include <algorithm>
 
@@ -93,7 +94,7 @@ joined(const Job& job, std::vector<Result> regions)
   std::vector<RegionPoints> points;
   for (const Result& region : regions)
     points.push_back(pointsOf(region));
-  requireApart(job.scan, points);
+  require(job.scan, checkApart(points));
   Result all = regions.front();
   all.region.clear();
   all.surface.reset();

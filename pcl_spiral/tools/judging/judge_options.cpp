@@ -76,10 +76,10 @@ addPartOptions(po::options_description& options)
       "ride: --clusters leave-out");
 }
 
-PartChoice
-partChoice(const po::variables_map& given)
+PartOptions
+partOptions(const po::variables_map& given)
 {
-  PartChoice choice;
+  PartOptions choice;
   if (given.count("crop") > 0)
     choice.crop = given["crop"].as<std::string>();
   if (given.count("keep-out") > 0)

@@ -36,7 +36,7 @@ void addCutterOptions(boost::program_options::options_description& options, cons
 void addPartOptions(boost::program_options::options_description& options);
 
 /** Crop and keep-outs. */
-PartChoice partChoice(const boost::program_options::variables_map& given);
+PartOptions partOptions(const boost::program_options::variables_map& given);
 
 /** The regions. \throw UsageError */
 RegionChoice regionChoice(const boost::program_options::variables_map& given);

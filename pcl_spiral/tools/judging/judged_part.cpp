@@ -4,6 +4,7 @@
 #include "terminal/scan_places.h"
 
 #include "collision/ball_way.h"
+#include "planning/joined_plan.h"
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
@@ -44,7 +45,7 @@ regionOf(const std::string& file, const ReadOptions& read, const NamedRegion& re
   part.whole = scan.cloud;
   scan.warnings.clear();
   part.side = sideOf(scan, view_point);
-  part.chosen = choosePart(region.part, file, read, asked.tool, {part.side, asked.flip_normals, asked.threads}, scan);
+  part.chosen = choosePart(region.part, file, read, asked.tool, part.side, asked.flip_normals, asked.threads, scan);
   part.side = sideOf(scan, view_point);
   part.cloud = scan.cloud;
   part.warnings = ofRegion(region.name, scan.warnings);

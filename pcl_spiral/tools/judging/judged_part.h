@@ -19,15 +19,15 @@ struct JudgedPart {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole; ///< the scan with what the choice of the part left out
   ScanSide side;                                  ///< of the scan
   pcl_spiral::SurfaceMesh::ConstPtr mesh;
-  ChosenPart chosen;                ///< of the scan
+  pcl_spiral::ChosenPart chosen;    ///< of the scan
   pcl_spiral::Diagnostics warnings; ///< from reading
 };
 
 /** Which points of a scan are judged, in how many regions, and by what cutter they are cut. */
 struct JudgedRegion {
-  PartChoice choice;
+  PartOptions choice;
   RegionChoice regions = {};
-  PartTool tool = {};
+  pcl_spiral::PartTool tool = {};
   bool flip_normals = false;
   unsigned int threads = 0;
 };

@@ -6,7 +6,7 @@
 
 #include "program/program_job.h"
 #include "terminal/option_table.h"
-#include "terminal/part_choice.h"
+#include "terminal/part_options.h"
 #include "terminal/scan_places.h"
 
 #include <pcl_spiral/core/cutter_profile.h>
@@ -30,7 +30,7 @@ struct PassJob {
   std::optional<Eigen::Vector3d> view_point; ///< of --view-point
   bool flip_scan = false;                    ///< the cutter is on the other side of the scan
   bool leave_out_strays = false;
-  PartChoice choice;         ///< which points of the scan are the part
+  PartOptions choice;        ///< which points of the scan are the part
   bool largest_part = false; ///< of several parts, use only the largest
   double thinning = 0.0;     ///< voxel edge; 0: none
   pcl_spiral::CutterShape cutter;

@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 
-#include "terminal/part_choice.h"
+#include "terminal/part_options.h"
 #include "terminal/scan_side.h"
 
 #include <pcl_spiral/common/impl/stage_clock.h>
@@ -37,7 +37,7 @@ struct PassResult {
   pcl_spiral::OuterSide side;                          ///< what decided it
   pcl_spiral::SurfaceMesh::ConstPtr mesh;              ///< the part if it is a mesh; null for a scan
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole_scan; ///< with the outliers that were left out
-  ChosenPart chosen;                                   ///< of the scan
+  pcl_spiral::ChosenPart chosen;                       ///< of the scan
   LeftOutLocations left_out;
   pcl_spiral::LocationFigures locations;
   pcl_spiral::BisectionFigures bisection;

@@ -99,7 +99,7 @@ readScan(const PassJob& job, ProgressBar& bar, PassResult& result, StageClock& c
     throw Cancelled();
   // With no radius: locations that enter a keep-out are left out later, so any cutter goes as near as it can.
   result.asked_side = sideOf(result.scan, fromScan(job.view_point));
-  result.chosen = choosePart(job.choice, job.scan, job.read, {}, {result.asked_side, job.flip_scan, job.threads}, result.scan);
+  result.chosen = choosePart(job.choice, job.scan, job.read, {}, result.asked_side, job.flip_scan, job.threads, result.scan);
   if (job.leave_out_strays) {
     bar.update(0.0, "strays");
     leaveOutStrays(job, result);

@@ -10,31 +10,6 @@ using namespace pcl_spiral;
 
 namespace {
 
-const char*
-wayOf(BlockSection section)
-{
-  switch (section) {
-  case BlockSection::Start:
-  case BlockSection::Position:
-    return "on its way over the part";
-  case BlockSection::Approach:
-    return "on its way down to the path";
-  case BlockSection::LeadIn:
-    return "in its lead to the path";
-  case BlockSection::Link:
-    return "on its link to the next pass";
-  case BlockSection::LeadOut:
-    return "in its lead off the path";
-  case BlockSection::Retract:
-  case BlockSection::End:
-    return "on its way up from the path";
-  case BlockSection::Cut:
-    return "on the path";
-  default:
-    return "while it unwinds";
-  }
-}
-
 Diagnostic
 textOfCollision(const LedTool& tool, const LeadFigures& figures)
 {
@@ -42,16 +17,6 @@ textOfCollision(const LedTool& tool, const LeadFigures& figures)
 }
 
 } // namespace
-
-Diagnostic
-collisionText(const LedTool& tool, const LeadCollision& collision)
-{
-  const std::string what = collision.part == ToolPart::Cutter  ? "the cutter"
-                           : collision.part == ToolPart::Shank ? "a shank as wide as the cutter"
-                                                               : tool.holder[static_cast<std::size_t>(collision.segment)].name;
-  return Diagnostic(what, " would be ", collision.depth, " mm deep in the part ", wayOf(collision.section), ", at ", Place(collision.place),
-                    ", the tip at ", Place(collision.tip));
-}
 
 LeadCheck<pcl::PointXYZ>
 leadCheckOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool)

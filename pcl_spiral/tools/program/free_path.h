@@ -4,20 +4,14 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/diagnostic.h>
+#include "planning/tool_way.h"
 
-#include "free_leads.h"
+#include <string>
+#include <vector>
 
-#include <pcl_spiral/mesh/surface_mesh.h>
-
-/** What is checked, and what is done about a collision. */
-struct PathCheck {
-  std::string file;                                ///< for messages
-  LedTool tool;                                    ///< its shank and holder
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr points; ///< everything that the scan has
-  pcl_spiral::SurfaceMesh::ConstPtr mesh;          ///< instead of points
-  pcl_spiral::Diagnostic remedy;                   ///< for messages
-  bool accepted = false;                           ///< a collision is only a warning
+/** What is checked, of which file. */
+struct PathCheck : pcl_spiral::ToolWay {
+  std::string file; ///< for messages
   bool quiet = false;
 };
 

@@ -17,4 +17,4 @@
 pcl_spiral::MachineProgram linkedProgram(const ProgramJob& job,
                                          const std::function<pcl_spiral::MachineProgram(const std::vector<std::size_t>& retracted)>& make,
                                          const std::string& scan_name, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan,
-                                         const LedTool& tool);
+                                         const pcl_spiral::LedTool& tool);

@@ -1,10 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "part_choice.h"
+#include "part_options.h"
+
+#include "scan_places.h"
+#include "terminal.h"
+
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/polygon_reader.h>
+
+#include <iterator>
+#include <utility>
 
 using namespace pcl_spiral;
 
+namespace {
+
+/** Whether the value of --crop begins with a number, as a box does; a file of that name needs a folder, as ./1.txt. */
+bool
+isBox(const std::string& crop)
+{
+  return crop.find(',') != std::string::npos && crop.find_first_not_of("0123456789+-.,eE ") == std::string::npos;
+}
+
+/** XMIN,XMAX,YMIN,YMAX or with ZMIN,ZMAX. */
+Eigen::AlignedBox3d
+boxOf(const std::string& crop, const ReadOptions& read)
+{
+  constexpr double endless = 1e30;
+  const std::vector<std::string> words = listValue(crop);
+  if (words.size() != 4 && words.size() != 6)
+    throw UsageError(Diagnostic("--crop ", crop, ": give xmin,xmax,ymin,ymax, or these and zmin,zmax, or the file of a polygon"));
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(-endless), high = Eigen::Vector3d::Constant(endless);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    (i % 2 == 0 ? low : high)[static_cast<Eigen::Index>(i / 2)] = numberValue("crop", words[i]);
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(low[axis] < high[axis]))
+      throw UsageError(Diagnostic("--crop ", crop, ": the second number of each pair must be above the first"));
+  return {placeInScan(low, read), placeInScan(high, read)};
+}
+
+} // namespace
+
 std::vector<Option>
-placeOptions(PartChoice& choice)
+placeOptions(PartOptions& choice)
 {
   return {placeOption("part-at",
                       "a place on the part, in the coordinates of the file: of several separate parts use the nearest one: "
@@ -21,7 +58,7 @@ placeOptions(PartChoice& choice)
 }
 
 Option
-clustersOption(PartChoice& choice)
+clustersOption(PartOptions& choice)
 {
   return choiceOption("clusters",
                       "two or more points near each other that stand off the surface, as a screw or spatter, are refused, ridden over "
@@ -31,10 +68,66 @@ clustersOption(PartChoice& choice)
 }
 
 std::vector<InputName>
-polygonFiles(const PartChoice& choice)
+polygonFiles(const PartOptions& choice)
 {
   std::vector<InputName> files{{"the crop", choice.crop}};
   for (const std::string& file : choice.keep_outs)
     files.push_back({"a keep-out", file});
   return files;
+}
+
+Eigen::Vector3d
+placeInScan(const Eigen::Vector3d& place, const ReadOptions& read)
+{
+  return millimetres(read.unit) * (place - read.origin);
+}
+
+Eigen::Vector3d
+placeInFile(const Eigen::Vector3d& place, const ReadOptions& asked)
+{
+  const ReadOptions read = readAsScan(asked);
+  return place / millimetres(read.unit) + read.origin;
+}
+
+PartChoice
+choiceOf(const PartOptions& options, const ReadOptions& asked)
+{
+  const ReadOptions read = readAsScan(asked);
+  PartChoice choice;
+  choice.clusters = options.clusters;
+  if (options.part_at)
+    choice.part_at = placeInScan(*options.part_at, read);
+  if (!options.region.empty())
+    choice.region = readPolygon(options.region, read);
+  if (isBox(options.crop))
+    choice.crop_box = boxOf(options.crop, read);
+  else if (!options.crop.empty())
+    choice.crop = readPolygon(options.crop, read);
+  for (const std::string& keep_out : options.keep_outs)
+    choice.keep_outs.push_back(readPolygon(keep_out, read));
+  return choice;
+}
+
+ChosenPart
+choosePart(const PartOptions& options, const std::string& file, const ReadOptions& asked, const PartTool& tool, const ScanSide& side,
+           bool flip_normals, unsigned int threads, Scan& scan)
+{
+  SurfaceSettings settings;
+  settings.view_point = side.view_point;
+  settings.trust_normals = false; // they come from a file: normals without a common side are not used, with a warning
+  settings.flip_normals = flip_normals;
+  settings.threads = threads;
+  ChosenPart part;
+  const WholeScan whole{scan.cloud, side.normals, settings, nullptr};
+  if (const Status status = choosePart(whole, choiceOf(options, asked), tool, {}, part); !status.ok()) {
+    if (status.code() == StatusCode::InvalidArgument)
+      throw UsageError(Diagnostic(file, ": ", status.diagnostic()));
+    throw FileError(file, status.diagnostic());
+  }
+  if (part.cloud) {
+    scan.cloud = part.cloud;
+    scan.normals = part.normals;
+  }
+  std::move(part.warnings.begin(), part.warnings.end(), std::back_inserter(scan.warnings));
+  return part;
 }

@@ -18,7 +18,7 @@ optionText(const Eigen::Vector3d& place)
 }
 
 std::string
-textOfRegion(const PartChoice& part)
+textOfRegion(const PartOptions& part)
 {
   std::string text = part.region.empty() ? "" : "--region " + shellFile(part.region);
   if (part.part_at)
@@ -36,7 +36,7 @@ const char* const region_help =
     "order, the tool lifted between them: --region left.txt --region right.txt";
 
 std::vector<Option>
-regionOptions(PartChoice& choice, RegionChoice& regions)
+regionOptions(PartOptions& choice, RegionChoice& regions)
 {
   std::vector<Option> options{
       {"part-at", "X,Y,Z", part_at_help, [&regions](const std::string& value) { regions.places.push_back(placeValue("part-at", value)); },
@@ -49,7 +49,7 @@ regionOptions(PartChoice& choice, RegionChoice& regions)
 }
 
 std::vector<InputName>
-polygonFiles(const PartChoice& choice, const RegionChoice& regions)
+polygonFiles(const PartOptions& choice, const RegionChoice& regions)
 {
   std::vector<InputName> files = polygonFiles(choice);
   for (const std::string& file : regions.polygons)
@@ -58,7 +58,7 @@ polygonFiles(const PartChoice& choice, const RegionChoice& regions)
 }
 
 std::vector<NamedRegion>
-regionsOf(const PartChoice& choice, const RegionChoice& regions, const ReadOptions& asked)
+regionsOf(const PartOptions& choice, const RegionChoice& regions, const ReadOptions& asked)
 {
   const ReadOptions read = readAsScan(asked);
   std::vector<NamedRegion> found;
@@ -92,11 +92,13 @@ regionsOf(const PartChoice& choice, const RegionChoice& regions, const ReadOptio
   return found;
 }
 
-Diagnostics
-ofRegion(const std::string& name, Diagnostics warnings)
+std::vector<PlanRegion>
+planRegions(const std::vector<NamedRegion>& regions, const ReadOptions& asked)
 {
-  for (Diagnostic& warning : warnings)
-    if (!name.empty())
-      warning = Diagnostic(name, ": ", warning);
-  return warnings;
+  std::vector<PlanRegion> planned;
+  for (const NamedRegion& region : regions) {
+    const PartChoice choice = choiceOf({region.part.part_at, "", region.part.region, {}, region.part.clusters}, asked);
+    planned.push_back({choice.region, choice.part_at, region.name});
+  }
+  return planned;
 }

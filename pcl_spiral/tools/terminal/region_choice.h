@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 
-#include "part_choice.h"
+#include "part_options.h"
 
 #include <pcl_spiral/io/file_error.h>
 
@@ -24,23 +24,23 @@ struct RegionChoice {
 
 /** One region of a run. */
 struct NamedRegion {
-  PartChoice part;
+  PartOptions part;
   std::string name; ///< such as "region 2 (--part-at 120,80,15)"; empty if it is the only one
 };
 
 /** --part-at, several times, --region, --crop, --keep-out */
-std::vector<Option> regionOptions(PartChoice& choice, RegionChoice& regions);
+std::vector<Option> regionOptions(PartOptions& choice, RegionChoice& regions);
 
 /** Help of --part-at and --region, also for the programs that judge. */
 extern const char* const part_at_help;
 extern const char* const region_help;
 
 /** The files that are read for the choice. */
-std::vector<InputName> polygonFiles(const PartChoice& choice, const RegionChoice& regions);
+std::vector<InputName> polygonFiles(const PartOptions& choice, const RegionChoice& regions);
 
 /** One region per polygon; of a polygon with places in it one per place, and without polygons one per place. All have the crop and the
  *  keep-outs of \p choice. \throw UsageError for a place in no polygon, pcl_spiral::FileError */
-std::vector<NamedRegion> regionsOf(const PartChoice& choice, const RegionChoice& regions, const pcl_spiral::ReadOptions& read);
+std::vector<NamedRegion> regionsOf(const PartOptions& choice, const RegionChoice& regions, const pcl_spiral::ReadOptions& read);
 
 /** Calls \p work for one region; errors that it throws name the region. */
 template <typename Work>
@@ -60,5 +60,5 @@ inRegion(const std::string& name, Work work) -> decltype(work())
   }
 }
 
-/** \p warnings with the name of their region. */
-pcl_spiral::Diagnostics ofRegion(const std::string& name, pcl_spiral::Diagnostics warnings);
+/** \p regions for a planner, in the coordinates of the scan that was read with \p asked. \throw pcl_spiral::FileError */
+std::vector<pcl_spiral::PlanRegion> planRegions(const std::vector<NamedRegion>& regions, const pcl_spiral::ReadOptions& asked);

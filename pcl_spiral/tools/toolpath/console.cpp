@@ -57,7 +57,7 @@ printMethod(const pcl_spiral::SpiralReport& report)
 
 /** Prints what was found in the mesh and how it was sampled; does not end the last line. */
 void
-printMesh(const Job& job, const SampledMesh& mesh, const pcl_spiral::SpiralReport& report)
+printMesh(const Job& job, const pcl_spiral::SampledMesh& mesh, const pcl_spiral::SpiralReport& report)
 {
   std::printf("mesh            %s: %zu faces, %zu vertices\n", job.scan.c_str(), mesh.counts.faces, mesh.counts.vertices);
   if (const pcl_spiral::Diagnostic found = pcl_spiral::findingsText(mesh.counts); !found.empty())
@@ -66,11 +66,11 @@ printMesh(const Job& job, const SampledMesh& mesh, const pcl_spiral::SpiralRepor
 }
 
 void
-printSurface(const Job& job, const Result& result)
+printSurface(const Job& job, const pcl_spiral::SpiralPlan& plan, const ScanSide& side)
 {
-  const pcl_spiral::SpiralReport report = inScan(result.report);
-  if (result.mesh)
-    printMesh(job, *result.mesh, report);
+  const pcl_spiral::SpiralReport report = inScan(plan.report);
+  if (plan.mesh)
+    printMesh(job, *plan.mesh, report);
   else
     std::printf("scan            %s: %zu points", job.scan.c_str(), report.input_points);
   const auto dropped = [](std::size_t count, const char* why) {
@@ -83,10 +83,9 @@ printSurface(const Job& job, const Result& result)
   dropped(report.surplus_points, "surplus along scan lines or beside sparser parts");
   dropped(report.left_out_points, "in other parts");
   std::printf(", %zu used\n", report.used_points);
-  std::printf("surface         spacing %.4g mm, %s %.2g mm\n", report.spacing, result.mesh ? "samples off the fits" : "noise",
-              report.noise);
-  if (!result.mesh)
-    std::printf("%s\n", sideLine(result.side, report.side).c_str());
+  std::printf("surface         spacing %.4g mm, %s %.2g mm\n", report.spacing, plan.mesh ? "samples off the fits" : "noise", report.noise);
+  if (!plan.mesh)
+    std::printf("%s\n", sideLine(side, report.side).c_str());
   std::size_t gaps = 0;
   for (const pcl_spiral::BoundaryLoop& loop : report.loops) {
     gaps += loop.type == pcl_spiral::LoopType::ScanGap;
@@ -95,7 +94,7 @@ printSurface(const Job& job, const Result& result)
                   loop.length, loop.corners.size(), plural(loop.corners.size()));
   }
   if (gaps > 0)
-    std::printf("%s %zu, bridged\n", result.mesh ? "narrow holes   " : "scan gaps      ", gaps);
+    std::printf("%s %zu, bridged\n", plan.mesh ? "narrow holes   " : "scan gaps      ", gaps);
   printHoles(report);
   if (report.boundaries == 1 && report.method != pcl_spiral::SpiralMethod::ConstantScallop)
     std::printf("centre          %.3f, %.3f, %.3f\n", report.centre.x(), report.centre.y(), report.centre.z());
@@ -157,19 +156,20 @@ printStage(const std::string& name, double seconds, double whole, const pcl_spir
 void
 printStages(const Result& result, double seconds)
 {
-  std::printf("neighbourhoods  searched in %d pass%s over all points%s\n", result.report.passes, result.report.passes == 1 ? "" : "es",
-              result.surface && !result.mesh ? "; planning and verification share the surface"
-              : result.verification          ? ", for planning and verification"
-                                             : "");
+  std::printf("neighbourhoods  searched in %d pass%s over all points%s\n", result.plan.report.passes,
+              result.plan.report.passes == 1 ? "" : "es",
+              result.plan.surface && !result.plan.mesh ? "; planning and verification share the surface"
+              : result.judged.verification             ? ", for planning and verification"
+                                                       : "");
   std::printf("  %-16s %9s %7s %9s %9s\n", "stage", "s", "%", "MB", "peak MB");
   double rest = seconds;
-  for (const pcl_spiral::StageCost& stage : result.report.stages) {
+  for (const pcl_spiral::StageCost& stage : result.plan.report.stages) {
     printStage(stage.name, stage.seconds, seconds, stage.memory);
     rest -= stage.seconds;
   }
-  if (result.verification) {
-    printStage("judging", result.verification->seconds, seconds);
-    rest -= result.verification->seconds;
+  if (result.judged.verification) {
+    printStage("judging", result.judged.verification->seconds, seconds);
+    rest -= result.judged.verification->seconds;
   }
   printStage("the rest", std::max(0.0, rest), seconds);
 }
@@ -178,7 +178,7 @@ printStages(const Result& result, double seconds)
 void
 printTogether(const Job& job, const Result& result)
 {
-  const pcl_spiral::SpiralReport& report = result.report;
+  const pcl_spiral::SpiralReport& report = result.plan.report;
   std::printf("all regions     %zu, %zu passes, %zu points, %.3f m, machining time %s\n", result.regions.size(),
               report.pass_begins.size() + 1, report.path_points, report.path_length / 1000.0,
               duration(60.0 * report.path_length / job.settings.feed).c_str());
@@ -191,16 +191,17 @@ printTogether(const Job& job, const Result& result)
 void
 printSummary(const Job& job, const Result& result, double seconds)
 {
-  for (const Result& region : result.regions) {
+  for (std::size_t k = 0; k < result.regions.size(); ++k) {
+    const pcl_spiral::SpiralPlan& region = result.plan.regions[k];
     std::printf("%s\n", region.region.c_str());
-    printSurface(job, region);
+    printSurface(job, region, result.side);
     printPath(job, inScan(region.report));
-    if (region.verification)
-      printFigures(inScan(*region.verification));
+    if (result.regions[k].verification)
+      printFigures(inScan(*result.regions[k].verification));
   }
   if (result.regions.empty()) {
-    printSurface(job, result);
-    printPath(job, inScan(result.report));
+    printSurface(job, result.plan, result.side);
+    printPath(job, inScan(result.plan.report));
   }
   else
     printTogether(job, result);
@@ -218,6 +219,6 @@ printSummary(const Job& job, const Result& result, double seconds)
   for (const std::string& file : filesOf(job))
     std::printf(" %s", file.c_str());
   std::printf("\n");
-  if (result.verification)
-    printFigures(inScan(*result.verification));
+  if (result.judged.verification)
+    printFigures(inScan(*result.judged.verification));
 }

@@ -31,7 +31,7 @@ struct Job {
   std::vector<std::string> stock; ///< files for the surface after cutting; with verify
   pcl_spiral::ReadOptions read = readFindingOrigin();
   pcl_spiral::SpiralSettings settings;
-  PartChoice part;           ///< of the scan; with several regions that of the present one
+  PartOptions part;          ///< of the scan; with several regions that of the present one
   RegionChoice regions;      ///< of the scan
   double flank_length = 0.0; ///< mm, between the centre of the ball and the holder
   std::vector<pcl_spiral::ToolSegment> holder;

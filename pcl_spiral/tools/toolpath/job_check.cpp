@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void
-requireGiven(const Job& job, const std::string& option, const Diagnostic& remedy)
+requireGiven(const Job& job, const std::string& option, const pcl_spiral::Diagnostic& remedy)
 {
   if (job.given.count(option) == 0)
     throw UsageError(pcl_spiral::Diagnostic("no --", option, " is given; ", remedy));

@@ -40,6 +40,15 @@ drawsReach(const Job& job)
   return !job.reach.empty() && (hasPictures(job.reach) || std::any_of(job.outputs.begin(), job.outputs.end(), isPage));
 }
 
+/** Warnings of the reader and of choosing the part. */
+Diagnostics
+readingWarnings(const Result& result)
+{
+  Diagnostics warnings = result.reading;
+  warnings.insert(warnings.end(), result.plan.part.warnings.begin(), result.plan.part.warnings.end());
+  return warnings;
+}
+
 const std::vector<PictureKind> judging_kinds{PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram};
 
 /** The pictures of the run, and those of the check of each region. */
@@ -50,55 +59,57 @@ struct Pictures {
 
 /** The points of the part, and those of strips that are not cut: the surface without a path on it. */
 pcl::PointCloud<pcl::PointXYZ>::ConstPtr
-withStrips(const Result& result)
+withStrips(const SpiralPlan& plan)
 {
-  if (result.part.strips.empty())
-    return result.scan.cloud;
-  const auto all = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*result.scan.cloud);
-  for (const UncutStrip& strip : result.part.strips)
+  if (plan.part.strips.empty())
+    return plan.cloud;
+  const auto all = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*plan.cloud);
+  for (const UncutStrip& strip : plan.part.strips)
     for (const Eigen::Vector3f& p : strip.points)
       all->emplace_back(p.x(), p.y(), p.z());
   return all;
 }
 
 VerificationScene
-sceneOf(const Result& result, const std::string& title)
+sceneOf(const SpiralPlan& plan, const Judged& judged, const std::string& title)
 {
   VerificationScene scene;
   scene.part = {title,
-                result.heights.points ? result.heights.points : withStrips(result),
-                result.mesh ? result.mesh->mesh : nullptr,
-                result.path,
-                result.settings,
-                result.report,
-                result.regions.empty() ? result.part.keep_outs : result.regions.front().part.keep_outs};
+                judged.heights.points ? judged.heights.points : withStrips(plan),
+                plan.mesh ? plan.mesh->mesh : nullptr,
+                plan.path,
+                plan.settings,
+                plan.report,
+                plan.regions.empty() ? plan.part.keep_outs : plan.regions.front().part.keep_outs};
   return scene;
 }
 
 void
-drawJudging(const Result& result, const std::string& title, PictureFiles& pictures)
+drawJudging(const SpiralPlan& plan, const Judged& judged, const std::string& title, PictureFiles& pictures)
 {
-  if (!result.verification)
+  if (!judged.verification)
     return;
-  VerificationScene scene = sceneOf(result, title);
-  scene.deviation = result.heights.deviation;
-  scene.stock = result.heights.stock;
-  scene.ridges = result.heights.ridges;
-  scene.deviation_figures = result.verification->deviation;
-  scene.removal_figures = result.verification->removal;
+  VerificationScene scene = sceneOf(plan, judged, title);
+  scene.deviation = judged.heights.deviation;
+  scene.stock = judged.heights.stock;
+  scene.ridges = judged.heights.ridges;
+  scene.deviation_figures = judged.verification->deviation;
+  scene.removal_figures = judged.verification->removal;
   pictures.drawJudging(scene);
 }
 
 void
 draw(const Result& result, const std::string& title, Pictures& pictures)
 {
-  pictures.files.drawPath(sceneOf(result, title).part, true);
+  pictures.files.drawPath(sceneOf(result.plan, result.judged, title).part, true);
   if (result.program)
     pictures.files.drawProgram(title, *result.program);
-  drawJudging(result, title, pictures.files);
-  for (const Result& region : result.regions) {
-    drawJudging(region, region.region, pictures.files);
-    pictures.of_regions.push_back(region.verification ? pictures.files.forReport(judging_kinds) : std::vector<ReportPicture>());
+  drawJudging(result.plan, result.judged, title, pictures.files);
+  for (std::size_t k = 0; k < result.regions.size(); ++k) {
+    const SpiralPlan& region = result.plan.regions[k];
+    drawJudging(region, result.regions[k], region.region, pictures.files);
+    const bool judged = result.regions[k].verification.has_value();
+    pictures.of_regions.push_back(judged ? pictures.files.forReport(judging_kinds) : std::vector<ReportPicture>());
   }
 }
 
@@ -106,7 +117,7 @@ ReachScene
 sceneOf(const Result& result, const ReachMap& map, const std::string& title)
 {
   ReachScene scene;
-  scene.part = sceneOf(result, title).part;
+  scene.part = sceneOf(result.plan, result.judged, title).part;
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (const Eigen::Vector3d& p : map.places)
     cloud->emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
@@ -123,34 +134,37 @@ isReport(const std::string& output)
 }
 
 RegionReport
-reportOf(const Result& region, const std::vector<std::vector<ReportPicture>>& judged, std::size_t index)
+reportOf(const Result& result, std::size_t k, const Pictures& pictures)
 {
+  const SpiralPlan& region = result.plan.regions[k];
   RegionReport report{region.region, inScan(region.report), std::nullopt, {}};
-  if (region.verification)
-    report.verification = inScan(*region.verification);
-  if (index < judged.size())
-    report.judged = judged[index];
+  if (result.regions[k].verification)
+    report.verification = inScan(*result.regions[k].verification);
+  if (k < pictures.of_regions.size())
+    report.judged = pictures.of_regions[k];
   return report;
 }
 
 void
 writeReport(const Job& job, const Result& result, const std::string& title, const Pictures& pictures, const std::string& file)
 {
-  RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), result.scan.warnings, {}, job.options};
+  RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), readingWarnings(result), {}, job.options};
   run.shift = scanShift();
   run.words = programWords();
-  if (result.mesh)
-    run.mesh = RunMesh{result.mesh->counts, result.mesh->spacing};
-  const std::optional<Verification> judged = result.verification ? std::optional(inScan(*result.verification)) : std::nullopt;
+  const SpiralPlan& plan = result.plan;
+  if (plan.mesh)
+    run.mesh = RunMesh{plan.mesh->counts, plan.mesh->spacing};
+  const std::optional<Verification>& found = result.judged.verification;
+  const std::optional<Verification> judged = found ? std::optional(inScan(*found)) : std::nullopt;
   const Verification* const verification = judged ? &*judged : nullptr;
-  SpiralSettings settings = result.settings;
+  SpiralSettings settings = plan.settings;
   for (std::optional<Eigen::Vector3d>* place : {&settings.centre, &settings.start_point, &settings.view_point})
     if (*place)
       *place = inScan(**place);
-  const SpiralReport report = inScan(result.report);
+  const SpiralReport report = inScan(plan.report);
   std::vector<RegionReport> regions;
-  for (const Result& region : result.regions)
-    regions.push_back(reportOf(region, pictures.of_regions, regions.size()));
+  for (std::size_t k = 0; k < result.regions.size(); ++k)
+    regions.push_back(reportOf(result, k, pictures));
   if (extensionOf(file) == ".json")
     writeReportJSON(file, run, settings, report, verification, regions);
   else
@@ -183,11 +197,12 @@ writeMoves(const Job& job, const Result& result, const std::string& title, const
 Diagnostics
 warningsOf(const Result& result)
 {
-  Diagnostics warnings = result.scan.warnings;
-  warnings.insert(warnings.end(), result.report.warnings.begin(), result.report.warnings.end());
-  if (!result.verification)
+  Diagnostics warnings = readingWarnings(result);
+  const Diagnostics& planning = result.plan.report.warnings;
+  warnings.insert(warnings.end(), planning.begin(), planning.end());
+  if (!result.judged.verification)
     return warnings;
-  const Diagnostics judged = warningsOf(*result.verification);
+  const Diagnostics judged = warningsOf(*result.judged.verification);
   warnings.insert(warnings.end(), judged.begin(), judged.end());
   return warnings;
 }
@@ -195,11 +210,11 @@ warningsOf(const Result& result)
 void
 writeOutputs(const Job& job, Result& result, OutputFiles& files)
 try {
-  const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed, {}, result.report.pass_begins, scanShift()};
-  const PathValues values{{}, result.heights.deviation, result.heights.scallop};
+  const ToolpathMotion motion{job.settings.tool_radius, job.settings.feed, {}, result.plan.report.pass_begins, scanShift()};
+  const PathValues values{{}, result.judged.heights.deviation, result.judged.heights.scallop};
   const std::string title = titleWithShift(std::filesystem::path(job.scan).filename().string());
   Pictures pictures;
-  StageClock clock(result.report.stages);
+  StageClock clock(result.plan.report.stages);
   const ReachMap reach = job.reach.empty() ? ReachMap() : reachMapOf(job, result);
   const bool draws = std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures);
   if (draws)
@@ -221,14 +236,14 @@ try {
     else if (isProgram(output) || isExchange(output))
       writeMoves(job, result, title, output, files.temporary(i++));
     else
-      writeToolpath(files.temporary(i++), *result.path, motion, values);
+      writeToolpath(files.temporary(i++), *result.plan.path, motion, values);
   }
   if (hasPictures(job.reach))
     pictures.files.copy(PictureKind::Reach, files.temporary(i++));
   else if (!job.reach.empty())
     writeReachMap(reach, extensionOf(job.reach), files.temporary(i++));
   for (std::size_t k = 0; k < job.stock.size(); ++k)
-    writeStock(files.temporary(i++), result.left, scanShift());
+    writeStock(files.temporary(i++), result.judged.left, scanShift());
   clock.end("writing");
   for (const std::string& report : reports) {
     if (cancelled())

@@ -21,8 +21,9 @@ moreOf(std::size_t broken)
   return broken > 1 ? Diagnostic("; and ", broken - 1, " more") : Diagnostic();
 }
 
+/** Judges one region of \p plan, or all of it. */
 void
-judgeOne(const Job& job, Result& result)
+judgeOne(const Job& job, const ScanSide& side, SpiralPlan& plan, Judged& judged)
 {
   ProgressBar bar(job.quiet);
   const SpiralSettings& s = job.settings;
@@ -30,36 +31,37 @@ judgeOne(const Job& job, Result& result)
   settings.cutter = CutterShape::ball(s.tool_radius);
   settings.scallop_height = s.scallop_height;
   settings.chord_error = s.chord_error;
-  settings.side = result.side;
-  settings.part_at = result.part.part_at;
+  settings.side = side;
+  settings.side.normals = plan.normals;
+  settings.part_at = plan.settings.part_at;
   settings.flip_normals = s.flip_normals;
   settings.clusters = judgedClusters(job.part);
   settings.threads = s.threads;
   settings.sample_spacing = job.sample_spacing;
-  if (result.mesh)
-    settings.mesh = result.mesh->mesh;
+  if (plan.mesh)
+    settings.mesh = plan.mesh->mesh;
   else if (judgedByTheSameSurface(s))
-    settings.surface = result.surface;
+    settings.surface = plan.surface;
   std::shared_ptr<const ReferenceSurface> reference;
   Verification verification;
   const Status status = judgePath(
-      result.scan.cloud, result.path, settings, [&bar](double share, const std::string& stage) { return bar.update(share, stage); },
-      reference, verification, result.heights);
+      plan.cloud, plan.path, settings, [&bar](double share, const std::string& stage) { return bar.update(share, stage); }, reference,
+      verification, judged.heights);
   bar.clear();
   if (cancelled())
     throw Cancelled();
   if (!status.ok())
     throw FileError(job.scan, Diagnostic("the path was made but could not be checked: ", status.diagnostic()));
   if (!settings.surface)
-    result.report.passes += reference->scanned().counts().passes;
+    plan.report.passes += reference->scanned().counts().passes;
   verification.broken = brokenLimits(job.limits, verification);
   verification.unproven = unprovenLimits(job.limits, verification);
   if (!verification.broken.empty())
     throw FileError(job.scan, Diagnostic("the path was made, but a limit is broken: ", verification.broken.front(),
                                          moreOf(verification.broken.size())));
   if (!job.stock.empty())
-    result.left = stockMesh(*reference, result.heights.stock);
-  result.verification = std::move(verification);
+    judged.left = stockMesh(*reference, judged.heights.stock);
+  judged.verification = std::move(verification);
 }
 
 } // namespace
@@ -70,12 +72,16 @@ judge(const Job& job, Result& result)
   if (!job.verify)
     return;
   if (result.regions.empty())
-    return judgeOne(job, result);
-  for (Result& region : result.regions) {
+    return judgeOne(job, result.side, result.plan, result.judged);
+  for (std::size_t k = 0; k < result.regions.size(); ++k) {
+    SpiralPlan& region = result.plan.regions[k];
     const int before = region.report.passes;
-    inRegion(region.region, [&] { judgeOne(job, region); });
-    result.report.passes += region.report.passes - before;
-    for (const auto values : {&Heights::deviation, &Heights::scallop})
-      (result.heights.*values).insert((result.heights.*values).end(), (region.heights.*values).begin(), (region.heights.*values).end());
+    inRegion(region.region, [&] { judgeOne(job, result.side, region, result.regions[k]); });
+    result.plan.report.passes += region.report.passes - before;
+    const Heights& own = result.regions[k].heights;
+    for (const auto values : {&Heights::deviation, &Heights::scallop}) {
+      std::vector<float>& all = result.judged.heights.*values;
+      all.insert(all.end(), (own.*values).begin(), (own.*values).end());
+    }
   }
 }

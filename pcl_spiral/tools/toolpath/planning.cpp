@@ -1,101 +1,147 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
-#include "joined_regions.h"
-#include "single_run.h"
-#include "way_check.h"
+#include "job_failure.h"
+#include "program/program_check.h"
+#include "region_links.h"
+#include "terminal/scan_places.h"
+#include "terminal/terminal.h"
+#include "terminal/vocabulary.h"
 
-#include <pcl_spiral/core/diagnostic.h>
+#include "judging/judged_part.h"
+#include "planning/joined_plan.h"
+#include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/io/file_error.h>
-
-#include <exception>
+#include <pcl_spiral/io/mesh_reader.h>
+#include <pcl_spiral/planning/spiral_planner.h>
 
 using namespace pcl_spiral;
 
 namespace {
 
-/** The path over the region without \p strips; absent if there is none, or if no point is left. Adds to \p late if it failed late. */
-std::optional<Result>
-tried(const Job& job, const StripChoice& strips, ProgressBar& bar, const Result& input, int& late)
+/** A ball larger than the part may be meant, but a unit that nobody gave is the likelier cause.
+ *  \throw FileError if what is in \p box is smaller than the tool radius and --units was not given */
+void
+requireScale(const Job& job, const Eigen::AlignedBox3d& box)
 {
-  try {
-    return planned(job, strips, bar, input);
-  }
-  catch (const NoPath& refusal) {
-    late += refusal.late ? 1 : 0;
-  }
-  catch (const FileError&) {
-    ++late; // the path that was found enters something
-  }
-  catch (const UsageError&) { // no point is left
-  }
-  return std::nullopt;
+  if (job.given.count("units") > 0 || box.isEmpty() || box.diagonal().norm() >= job.settings.tool_radius)
+    return;
+  throw FileError(
+      job.scan,
+      Diagnostic("the whole {scan} is ", box.diagonal().norm(), " mm across, less than the tool radius ", job.settings.tool_radius,
+                 " mm: ", scanShift().isZero() ? "is the scan in metres or inches?" : "map coordinates are usually in metres or feet.",
+                 " Give its unit: --units m or --units inch; or --units mm if the ball is larger than the part"));
 }
 
-/** Cuts as many of the strips that \p result leaves uncut as can be. */
-Result
-withStrips(const Job& job, StripChoice strips, ProgressBar& bar, const Result& input, Result result)
+Eigen::AlignedBox3d
+boxOf(const pcl::PointCloud<pcl::PointXYZ>& cloud)
 {
-  const std::size_t found = result.part.strips.size();
-  int late = 0;
-  for (std::size_t i = 0; i < found && result.part.strips.size() > 1; ++i) {
-    strips.cut.push_back(i);
-    if (std::optional<Result> with = tried(job, strips, bar, input, late))
-      result = std::move(*with);
-    else
-      strips.cut.pop_back();
-  }
-  return result;
+  Eigen::AlignedBox3d box;
+  for (const pcl::PointXYZ& point : cloud)
+    if (pcl::isFinite(point))
+      box.extend(point.getVector3fMap().cast<double>());
+  return box;
 }
 
-/** The path over the whole region. If there is none, or if it crosses a keep-out, the narrowest strips beside keep-outs are left out,
- *  and no more of them than must be. A try that fails soon costs a third of a path or less, so all of these are made. */
-Result
-plannedWithLeastUncut(const Job& job, ProgressBar& bar, const Result& input)
+void
+readScan(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner, Result& result)
 {
-  constexpr int most_late = 2; // runs, so that a refusal takes about twice as long as a path
-  std::exception_ptr first;
-  int late = 0;
-  try {
-    return planned(job, {}, bar, input);
-  }
-  catch (const NoPath& refusal) {
-    if (job.part.keep_outs.empty())
-      throw;
-    first = std::current_exception();
-    late = refusal.late ? 1 : 0;
-  }
-  catch (const EntersKeepOut& entry) {
-    if (!entry.crosses())
-      throw;
-    first = std::current_exception();
-  }
-  Surface::ConstPtr surface;
-  for (StripChoice strips{2.0, {}, &surface}; strips.width <= 5.0 && late < most_late; strips.width += 1.0)
-    if (std::optional<Result> result = tried(job, strips, bar, input, late))
-      return withStrips(job, strips, bar, input, std::move(*result));
-  std::rethrow_exception(first);
+  Scan scan = readCloud(job.scan, job.read);
+  setScanFrame(scan.shift, job.read);
+  requireScale(job, boxOf(*scan.cloud));
+  result.reading = std::move(scan.warnings);
+  result.side = sideOf(scan, fromScan(job.settings.view_point));
+  planner.setInputCloud(scan.cloud);
+  planner.setInputNormals(result.side.normals);
 }
 
-/** The same. Where the outline lies farther beyond the last points than is usual, the ball enters a keep-out: then it stays farther away
- *  from all of them. */
-Result
-plannedBesideKeepOuts(Job job, ProgressBar& bar, const Result& input)
+void
+readFaces(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner, Result& result)
 {
-  constexpr int most_runs = 4;
-  for (int run = 1;; ++run)
-    try {
-      Result result = plannedWithLeastUncut(job, bar, input);
-      if (job.part.margin > 0.0)
-        result.report.warnings.push_back(Diagnostic("the ball stays ", job.part.margin,
-                                                    " mm farther from the keep-outs than it must: nearer, the ",
-                                                    "path, which runs a little beyond the last points, would enter one"));
-      return result;
-    }
-    catch (const EntersKeepOut& entry) {
-      if (run == most_runs)
-        throw;
-      job.part.margin += entry.room();
-    }
+  speakOfMesh();
+  MeshFile file = readMesh(job.scan, job.read);
+  setScanFrame(file.shift, job.read);
+  result.reading = std::move(file.warnings);
+  MeshSettings settings;
+  settings.flip = job.settings.flip_normals;
+  SurfaceMesh::ConstPtr mesh;
+  requireOk(job, SurfaceMesh::make(*file.mesh, settings, mesh));
+  Eigen::AlignedBox3d box;
+  for (std::size_t v = 0; v < mesh->vertexCount(); ++v)
+    box.extend(mesh->position(v));
+  requireScale(job, box);
+  planner.setInputMesh(mesh);
+  planner.setSampleSpacing(job.sample_spacing);
+}
+
+/** The settings, in the coordinates of the scan that was read. */
+SpiralSettings
+settingsOf(const Job& job, const Result& result)
+{
+  SpiralSettings settings = job.settings;
+  settings.trust_normals = false; // they come from a file: normals without a common side are not used, with a warning
+  settings.clusters = job.part.clusters;
+  settings.centre = fromScan(settings.centre);
+  settings.start_point = fromScan(settings.start_point);
+  settings.view_point = result.side.view_point;
+  return settings;
+}
+
+void
+setPart(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner)
+{
+  const PartChoice choice = choiceOf(job.part, job.read);
+  if (choice.crop_box)
+    planner.setCropBox(*choice.crop_box);
+  if (choice.crop)
+    planner.setCrop(*choice.crop);
+  for (const Prism& keep_out : choice.keep_outs)
+    planner.addKeepOut(keep_out);
+  for (const PlanRegion& region : planRegions(regionsOf(job.part, job.regions, job.read), job.read))
+    planner.addRegion(region);
+  planner.setFlankLength(job.flank_length);
+  planner.setHolder(job.holder);
+  planner.setHolderClearance(job.holder_clearance);
+  planner.setAcceptCollisions(job.program.accept_collisions);
+  planner.setKeepSurface(!job.reach.empty() || !job.raw_scan.empty() || (job.verify && judgedByTheSameSurface(job.settings)));
+}
+
+/** Says what smoothing moved, if there is a raw scan, and warns where the ball cuts into its points.
+ *  \throw FileError if it does and the path is judged (--verify); if the raw scan cannot be read */
+Diagnostics
+rawScanWarnings(const Job& job, const SpiralPlan& plan)
+{
+  if (job.raw_scan.empty())
+    return {};
+  const RawScanFigures raw = rawScanFigures(job.raw_scan, job.read, *plan.surface);
+  JudgeSettings settings;
+  settings.cutter = CutterShape::ball(job.settings.tool_radius);
+  const double allowed = job.limits.gouge.value_or(gougeTolerance(job.settings.chord_error, plan.report.noise));
+  const Diagnostic fault = faultInRaw(raw, plan.path, settings, allowed);
+  if (fault.empty())
+    return {smoothingText(raw, job.raw_scan)};
+  if (job.verify)
+    throw FileError(job.scan, Diagnostic("the path was made, but ", fault));
+  return {smoothingText(raw, job.raw_scan), fault};
+}
+
+/** Adds what the program alone knows of the regions of \p plan. */
+void
+addWarnings(const Job& job, const ScanSide& side, SpiralPlan& plan)
+{
+  const auto add = [&](SpiralPlan& region) {
+    Diagnostics warnings;
+    if (!region.mesh)
+      warnings = viewPointWarnings(side, region.report.side);
+    for (const Diagnostic& warning : rawScanWarnings(job, region))
+      warnings.push_back(warning);
+    region.report.warnings.insert(region.report.warnings.end(), warnings.begin(), warnings.end());
+    return warnings;
+  };
+  if (plan.regions.empty())
+    add(plan);
+  for (SpiralPlan& region : plan.regions)
+    for (const Diagnostic& warning : ofRegion(region.region, inRegion(region.region, [&] { return add(region); })))
+      plan.report.warnings.push_back(warning);
 }
 
 } // namespace
@@ -104,20 +150,30 @@ Result
 plan(const Job& job)
 {
   ProgressBar bar(job.quiet);
-  Result input;
+  Result result;
   std::vector<StageCost> stages;
   StageClock clock(stages);
-  readInput(job, bar, input);
+  bar.update(0.0, "reading " + job.scan);
+  SpiralPlanner<pcl::PointXYZ> planner;
+  if (job.mesh)
+    readFaces(job, planner, result);
+  else
+    readScan(job, planner, result);
+  if (cancelled())
+    throw Cancelled();
+  planner.setSettings(settingsOf(job, result));
+  setPart(job, planner);
+  planner.setQuiet(true);
+  planner.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   clock.end("reading");
-  const std::vector<NamedRegion> named = regionsOf(job.part, job.regions, job.read);
-  std::vector<Result> regions;
-  for (const NamedRegion& region : named) {
-    Job one = job;
-    one.part = region.part;
-    regions.push_back(inRegion(region.name, [&] { return plannedBesideKeepOuts(one, bar, input); }));
-    regions.back().region = region.name;
-  }
-  Result result = regions.size() == 1 ? std::move(regions.front()) : joined(job, input, std::move(regions));
-  addStage(stages.front(), result.report.stages);
+  planner.compute();
+  bar.clear();
+  requireOk(job, planner.getStatus());
+  result.plan = planner.getPlan();
+  result.regions.resize(result.plan.regions.size());
+  addWarnings(job, result.side, result.plan);
+  addStage(stages.front(), result.plan.report.stages);
+  if (!result.plan.regions.empty() && !hasProgram(job.program, job.outputs)) // the leads of a program are checked when it is there
+    result.links = checkedLinks(job, result);
   return result;
 }

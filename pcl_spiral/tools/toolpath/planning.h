@@ -6,5 +6,5 @@
 
 #include "outputs.h"
 
-/** Reads the scan or the mesh and makes the path. \throw as requireOk */
+/** Reads the scan or the mesh, and plans the path. \throw as requireOk */
 Result plan(const Job& job);

@@ -54,10 +54,10 @@ reachMapOf(const Job& job, const Result& result)
 {
   ReachMap map;
   map.largest = largest * job.settings.tool_radius;
-  for (const Result& region : result.regions)
+  for (const SpiralPlan& region : result.plan.regions)
     addSurface(job, *region.surface, map);
-  if (result.regions.empty())
-    addSurface(job, *result.surface, map);
+  if (result.plan.regions.empty())
+    addSurface(job, *result.plan.surface, map);
   return map;
 }
 

@@ -15,7 +15,7 @@ namespace {
 std::vector<ToolPoses>
 passEnds(const Result& result)
 {
-  std::vector<ToolPoses> passes = ballPasses(*result.path, result.settings.tool_radius);
+  std::vector<ToolPoses> passes = ballPasses(*result.plan.path, result.plan.settings.tool_radius);
   for (ToolPoses& pass : passes)
     if (pass.size() > 4)
       pass.erase(pass.begin() + 2, pass.end() - 2);
@@ -31,7 +31,7 @@ boxToClear(const Job& job, const Result& result)
   if (!job.part.cuts() && job.regions.polygons.empty() && job.regions.places.empty())
     return box;
   std::vector<Eigen::Vector3f> points;
-  for (const pcl::PointXYZ& p : *result.whole_scan)
+  for (const pcl::PointXYZ& p : *result.plan.whole)
     if (pcl::isFinite(p))
       points.push_back(p.getVector3fMap());
   for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
@@ -50,7 +50,7 @@ checkedLinks(const Job& job, Result& result)
 RegionLinks
 linksOf(const Result& result, const MachineProgram& program)
 {
-  RegionLinks links{result.regions.size() - 1, 0.0};
+  RegionLinks links{result.plan.regions.size() - 1, 0.0};
   bool begun = false;
   for (const ProgramBlock& block : program.blocks) {
     if (block.section != BlockSection::Position)

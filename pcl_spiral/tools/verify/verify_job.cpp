@@ -150,7 +150,7 @@ fromMap(const po::variables_map& given)
   if (given.count("dialect") > 0)
     job.dialect = choiceValue<Dialect>("dialect", given["dialect"].as<std::string>());
   job.read = scanOptions(given);
-  job.part = partChoice(given);
+  job.part = partOptions(given);
   job.regions = regionChoice(given);
   job.mesh = meshOptions(given);
   job.settings = cutterOptions(given);

@@ -27,7 +27,7 @@ struct VerifyJob {
   std::vector<std::string> stock;   ///< files for the surface after cutting: .ply .stl
   pcl_spiral::ReadOptions read;
   std::optional<MeshChoice> mesh;             ///< absent: the first file is a scan
-  PartChoice part;                            ///< of the scan
+  PartOptions part;                           ///< of the scan
   RegionChoice regions;                       ///< of the scan
   std::string machine_file;                   ///< of programs; empty: none
   std::optional<pcl_spiral::Dialect> dialect; ///< of .nc programs; absent: found from their words

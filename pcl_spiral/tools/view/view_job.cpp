@@ -55,7 +55,7 @@ parseViewCommandLine(int argc, const char* const* argv)
   job.scan = named[0];
   job.path = named.size() > 1 ? named[1] : "";
   job.read = scanOptions(given);
-  job.part = partChoice(given);
+  job.part = partOptions(given);
   job.regions = regionChoice(given);
   job.mesh = meshOptions(given);
   require(!job.mesh || !job.path.empty(), "a mesh is shown with a path; give one, such as part.stl part.csv");

@@ -17,7 +17,7 @@ struct ViewJob {
   std::string scan, path; ///< path empty: the scan alone
   pcl_spiral::ReadOptions read;
   std::optional<MeshChoice> mesh; ///< absent: the first file is a scan
-  PartChoice part;                ///< of the scan
+  PartOptions part;               ///< of the scan
   RegionChoice regions;           ///< at most one
   JudgeSettings settings;         ///< cutter with radius 0: not given
   bool quiet = false;

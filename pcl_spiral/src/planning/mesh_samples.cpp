@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mesh_input.h"
-#include "job_failure.h"
-#include "terminal/scan_places.h"
+#include "planning/mesh_samples.h"
 
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/step_over.h>
-#include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/mesh/mesh_sampling.h>
 
 #include <pcl/conversions.h>
@@ -17,46 +13,43 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace pcl_spiral;
-
+namespace pcl_spiral {
 namespace {
 
 constexpr double spacings_a_hole = 6.0;   // triangles over samples close circles of up to three spacings
 constexpr double spacings_a_radius = 6.0; // near a bent edge the fits are hollow: radius 15 spacings at a bend of 62 degrees
 constexpr double most_samples = 5e5, samples_a_square = 1.6; // the latter: of one spacing
 
-void
-requireOpen(const Job& job, const SurfaceMesh& mesh)
+Status
+requireOpen(const SurfaceMesh& mesh)
 {
   if (!mesh.counts().closed)
-    return;
+    return Status::success();
   Eigen::AlignedBox3d box;
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
     box.extend(mesh.position(v));
-  throw FileError(job.scan, Diagnostic("the mesh from ", Place(box.min()), " to ", Place(box.max()),
-                                       " is closed: it has no boundary where a path can begin or end; keep only the side to be "
-                                       "machined, or machine it in rows (pcl_spiral_drive --mesh)"));
+  return {StatusCode::InvalidInput, Diagnostic("the mesh from ", Place(box.min()), " to ", Place(box.max()),
+                                               " is closed: it has no boundary where a path can begin or end; keep only the side to be "
+                                               "machined, or machine it in rows ({MeshSections})")};
 }
 
 double
-stepOnPlane(const Job& job)
+stepOnPlane(const SpiralSettings& settings)
 {
-  return stepOver(job.settings.tool_radius, 0.0, job.settings.scallop_height).value_or(2.0 * job.settings.tool_radius);
+  return stepOver(settings.tool_radius, 0.0, settings.scallop_height).value_or(2.0 * settings.tool_radius);
 }
 
 /** From the curvature of the mesh, at most the distance of turns. With creases: wide enough that the ball fits into the local fits
  *  beside them. Close enough to show the holes asked for. */
 double
-spacingFor(const Job& job, const SurfaceMesh& mesh)
+spacingFor(const SpiralSettings& settings, const SurfaceMesh& mesh)
 {
-  if (job.sample_spacing > 0.0)
-    return job.sample_spacing;
   const double closest = std::sqrt(mesh.area() * samples_a_square / most_samples);
-  double spacing = std::min(defaultSampleSpacing(mesh), std::max(stepOnPlane(job), closest));
+  double spacing = std::min(defaultSampleSpacing(mesh), std::max(stepOnPlane(settings), closest));
   if (mesh.counts().creases.count > 0)
-    spacing = std::max(spacing, job.settings.tool_radius / spacings_a_radius);
-  if (job.settings.hole_size > 0.0)
-    spacing = std::min(spacing, std::max(job.settings.hole_size / spacings_a_hole, closest));
+    spacing = std::max(spacing, settings.tool_radius / spacings_a_radius);
+  if (settings.hole_size > 0.0)
+    spacing = std::min(spacing, std::max(settings.hole_size / spacings_a_hole, closest));
   return spacing;
 }
 
@@ -95,62 +88,57 @@ meshOf(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& is_kept)
 
 /** Warns if the faces look down: the mesh defines the side, and most cutters come from above. */
 void
-warnOfSide(const Job& job, const pcl::PointCloud<pcl::Normal>& normals, Result& result)
+warnOfSide(bool flipped, const pcl::PointCloud<pcl::Normal>& normals, Diagnostics& warnings)
 {
   constexpr double down = -0.25; // of the mean normal
   double sum = 0.0;
   for (const pcl::Normal& n : normals)
     sum += n.normal_z;
   if (sum < down * static_cast<double>(normals.size()))
-    result.scan.warnings.push_back(Diagnostic("the faces of the mesh point down, along -z, so the cutter comes from below: ",
-                                              (job.settings.flip_normals ? "leave --flip-normals out" : "give --flip-normals"),
-                                              " if it must come from above"));
+    warnings.push_back(Diagnostic("the faces of the mesh point down, along -z, so the cutter comes from below: ",
+                                  flipped ? "leave {MeshSettings::flip} out" : "give {MeshSettings::flip}", " if it must come from above"));
 }
 
 } // namespace
 
-void
-readMeshSamples(const Job& job, ProgressBar& bar, Result& result)
+Status
+sampleMesh(const SurfaceMesh::ConstPtr& mesh, double spacing, const SpiralSettings& settings, const ProgressCallback& progress,
+           SpiralPlan& plan)
 {
-  MeshFile file = readMesh(job.scan, job.read);
-  result.scan.shift = file.shift;
-  setScanFrame(file.shift, job.read);
-  result.scan.warnings = std::move(file.warnings);
-  if (!bar.update(0.05, "mesh"))
-    throw Cancelled();
-  MeshSettings settings;
-  settings.flip = job.settings.flip_normals;
-  SampledMesh input;
-  requireOk(job, SurfaceMesh::make(*file.mesh, settings, input.mesh));
-  requireOpen(job, *input.mesh);
-  if (!bar.update(0.1, "samples"))
-    throw Cancelled();
+  if (const Status status = requireOpen(*mesh); !status.ok())
+    return status;
+  if (progress && !progress(0.1, "samples"))
+    return {StatusCode::Cancelled, "cancelled"};
+  SampledMesh sampled;
+  sampled.mesh = mesh;
   MeshSampling sampling;
-  sampling.setInputMesh(input.mesh);
-  sampling.setSpacing(spacingFor(job, *input.mesh));
-  sampling.setNumberOfThreads(job.settings.threads);
+  sampling.setInputMesh(mesh);
+  sampling.setSpacing(spacing > 0.0 ? spacing : spacingFor(settings, *mesh));
+  sampling.setNumberOfThreads(settings.threads);
   pcl::PointCloud<pcl::PointNormal> samples;
   sampling.compute(samples);
-  requireOk(job, sampling.getStatus());
-  input.spacing = sampling.getUsedSpacing();
-  input.faces = sampling.getFaceIndices();
-  input.counts = input.mesh->counts();
-  result.scan.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  if (!sampling.getStatus().ok())
+    return sampling.getStatus();
+  sampled.spacing = sampling.getUsedSpacing();
+  sampled.faces = sampling.getFaceIndices();
+  sampled.counts = mesh->counts();
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   for (const pcl::PointNormal& sample : samples) {
-    result.scan.cloud->emplace_back(sample.x, sample.y, sample.z);
+    cloud->emplace_back(sample.x, sample.y, sample.z);
     normals->emplace_back(sample.normal_x, sample.normal_y, sample.normal_z);
   }
-  input.normals = normals;
-  result.whole_mesh = input.mesh;
-  warnOfSide(job, *normals, result);
-  result.mesh = std::move(input);
+  sampled.normals = normals;
+  plan.whole = plan.cloud = cloud;
+  warnOfSide(mesh->settings().flip, *normals, plan.part.warnings);
+  plan.whole_mesh = mesh;
+  plan.mesh = std::move(sampled);
+  return Status::success();
 }
 
 void
-keepUsedParts(const Surface& surface, Result& result)
+keepUsedParts(const Surface& surface, SampledMesh& input)
 {
-  SampledMesh& input = *result.mesh;
   std::size_t count = 0;
   const std::vector<std::uint32_t> parts = partsOf(*input.mesh, count);
   std::vector<std::uint8_t> is_used(count, 0), is_kept(parts.size());
@@ -164,9 +152,9 @@ keepUsedParts(const Surface& surface, Result& result)
 }
 
 double
-meshHoleSize(const Job& job, const SampledMesh& mesh)
+meshHoleSize(const SpiralSettings& settings, const SampledMesh& mesh)
 {
-  return job.settings.hole_size > 0.0 ? job.settings.hole_size : std::max(stepOnPlane(job), spacings_a_hole * mesh.spacing);
+  return settings.hole_size > 0.0 ? settings.hole_size : std::max(stepOnPlane(settings), spacings_a_hole * mesh.spacing);
 }
 
 Diagnostics
@@ -176,9 +164,9 @@ creaseWarnings(const SampledMesh& input, const Surface& surface)
   if (counts.creases.count == 0)
     return {};
   const double band = surface.spacing() * std::sqrt(surface.fit().neighbours() / pi);
-  return {Diagnostic("the mesh has ", counts.crease_length, " mm of creases (", counts.creases.count, " edges), the first at ",
+  return {Diagnostic("the mesh has ", counts.crease_length, " {mm} of creases (", counts.creases.count, " edges), the first at ",
                      Place(counts.creases.place), ": the spiral runs over them as if they were rounded, within about ", band,
-                     " mm; outer edges are cut off, in inner edges material is left. If creases must stay sharp, cut the mesh "
+                     " {mm}; outer edges are cut off, in inner edges material is left. If creases must stay sharp, cut the mesh "
                      "along them and machine each side separately")};
 }
 
@@ -189,5 +177,7 @@ withSpacings(const Status& status, const SampledMesh& input)
     return status;
   const double vertices = std::sqrt(input.mesh->area() / static_cast<double>(input.mesh->vertexCount()));
   return {status.code(),
-          Diagnostic(status.diagnostic(), "; samples are ", input.spacing, " mm apart, vertices of the mesh ", vertices, " mm")};
+          Diagnostic(status.diagnostic(), "; samples are ", input.spacing, " {mm} apart, vertices of the mesh ", vertices, " {mm}")};
 }
+
+} // namespace pcl_spiral

@@ -4,10 +4,14 @@
  */
 #pragma once
 
-#include "outputs.h"
+#include <pcl_spiral/planning/spiral_plan.h>
 
 #include <vector>
 
+namespace pcl_spiral {
+
 /** Sums of counts and lengths, the worst of what is measured, and all loops, lines, holes, places and warnings of \p regions, which are
  *  the passes of \p path. What only one region can have, such as the centre, is that of the first. */
-pcl_spiral::SpiralReport joinedReport(const std::vector<Result>& regions, const pcl::PointCloud<pcl_spiral::ToolpathPoint>& path);
+SpiralReport joinedReport(const std::vector<SpiralPlan>& regions, const pcl::PointCloud<ToolpathPoint>& path);
+
+} // namespace pcl_spiral

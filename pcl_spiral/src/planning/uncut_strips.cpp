@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "uncut_strips.h"
+#include "planning/uncut_strips.h"
 
 #include "surface/narrow_strips.h"
 #include <pcl_spiral/cleaning/impl/point_groups.h>
-#include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
 
-using namespace pcl_spiral;
-
+namespace pcl_spiral {
 namespace {
 
 /** A third of the area of the triangles at point \p v of \p surface, mm2. */
@@ -82,8 +80,10 @@ stripsBeside(const Surface& surface, const pcl::PointCloud<pcl::PointXYZ>& cloud
 Diagnostic
 stripText(const UncutStrip& strip)
 {
-  return Diagnostic("a strip between a keep-out and the rim is not cut: ", strip.area, " mm2 at ", Place(strip.place), ", narrower than ",
+  return Diagnostic("a strip between a keep-out and the rim is not cut: ", strip.area, " {mm2} at ", Place(strip.place), ", narrower than ",
                     strip.width,
-                    " mm; no path was found with it, because its points are too few: scan it more densely, or cut it with the "
+                    " {mm}; no path was found with it, because its points are too few: scan it more densely, or cut it with the "
                     "keep-out elsewhere");
 }
+
+} // namespace pcl_spiral

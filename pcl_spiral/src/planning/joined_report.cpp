@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "joined_report.h"
+#include "planning/joined_report.h"
 
-#include "joined_regions.h"
-
-#include <pcl_spiral/common/point_types.h>
+#include "planning/joined_plan.h"
 
 #include <algorithm>
 
-using namespace pcl_spiral;
-
+namespace pcl_spiral {
 namespace {
 
 template <typename Item>
@@ -79,13 +76,13 @@ addPlaces(const SpiralReport& one, SpiralReport& all)
 } // namespace
 
 SpiralReport
-joinedReport(const std::vector<Result>& regions, const pcl::PointCloud<ToolpathPoint>& path)
+joinedReport(const std::vector<SpiralPlan>& regions, const pcl::PointCloud<ToolpathPoint>& path)
 {
   SpiralReport all = regions.front().report;
   all.left_out_parts = all.left_out_points = 0;
   all.warnings.clear();
   bool has_least = true;
-  for (const Result& region : regions) {
+  for (const SpiralPlan& region : regions) {
     const SpiralReport& one = region.report;
     if (&region != &regions.front()) {
       addCounts(one, all);
@@ -109,3 +106,5 @@ joinedReport(const std::vector<Result>& regions, const pcl::PointCloud<ToolpathP
     all.lift_length += (path[begin].getVector3fMap() - path[begin - 1].getVector3fMap()).norm();
   return all;
 }
+
+} // namespace pcl_spiral

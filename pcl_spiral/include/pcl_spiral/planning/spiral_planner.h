@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  From a scan of a part among other things, or from a mesh, to a path that is free of all else in the scan.
+ */
+#pragma once
+
+#include <pcl_spiral/planning/impl/spiral_planning.h>
+#include <pcl_spiral/spiral/spiral_input.h>
+
+#include <pcl/common/io.h>
+
+#include <Eigen/Geometry>
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Plans spirals over the part of a scan, or over a mesh, as pcl_spiral_toolpath does.
+ *
+ *  SpiralToolpathGenerator takes the points of the part; this class takes the whole scan and chooses them: setPartAt, setLargestPart,
+ *  setCropBox, setCrop, addKeepOut, addRegion. All else that the scan has is an obstacle: the ball rides over the surface that continues
+ *  beside a crop, and a path on which ball, shank or holder enter anything is refused, with the place. Where a keep-out leaves strips in
+ *  which no path is found, or the path would run into it, it is planned again without the narrowest strips, or farther from the keep-out;
+ *  SpiralPlan::attempts says why. Several regions give one path of several passes, in the order of addRegion, with the tool lifted between
+ *  them. Lengths in mm.
+ *  \code
+ *  SpiralPlanner<pcl::PointXYZ> planner;
+ *  planner.setInputCloud(scan);
+ *  planner.setToolRadius(10.0);
+ *  planner.setScallopHeight(0.05);
+ *  planner.addKeepOut(clamp);
+ *  pcl::PointCloud<ToolpathPoint> path;
+ *  planner.compute(path);
+ *  if (!planner.getStatus().ok()) ...    // and the path is empty
+ *  \endcode
+ *  With setIndices only these points are of the part, as with a crop. A surface (setInputSurface) is refused: it has no scan beside it.
+ *  The same input gives the same bytes for any number of threads.
+ */
+template <typename PointInT, typename PointNT = pcl::Normal>
+class SpiralPlanner : public SpiralInput<PointInT, PointNT> {
+public:
+  using Ptr = pcl::shared_ptr<SpiralPlanner>;            ///< A shared pointer.
+  using ConstPtr = pcl::shared_ptr<const SpiralPlanner>; ///< A shared pointer to a constant one.
+
+  /** A mesh in place of the scan: all of it is the part. Its faces define the side; keep-outs, crops, regions and filters of points
+   *  belong to scans. Null, the default: the scan counts. */
+  void setInputMesh(const SurfaceMesh::ConstPtr& mesh) { plan_input_.mesh = mesh; }
+  const SurfaceMesh::ConstPtr& getInputMesh() const { return plan_input_.mesh; } ///< The value of setInputMesh.
+  /** Distance of the samples of the mesh, mm; 0, the default: from the curvature of the mesh and the step-over. */
+  void setSampleSpacing(double spacing) { plan_input_.sample_spacing = spacing; }
+  double getSampleSpacing() const { return plan_input_.sample_spacing; } ///< The value of setSampleSpacing.
+
+  /** Only points in this box are of the part. */
+  void setCropBox(const Eigen::AlignedBox3d& box) { plan_input_.choice.crop_box = box; }
+  /** Only points in this prism are of the part. */
+  void setCrop(const Prism& prism) { plan_input_.choice.crop = prism; }
+  /** The cutter must not enter this prism, nor its shank what was scanned in it. May be called several times. */
+  void addKeepOut(const Prism& prism) { plan_input_.choice.keep_outs.push_back(prism); }
+  /** One region of the part, with a path of its own; may be called several times. */
+  void addRegion(const PlanRegion& region) { plan_input_.regions.push_back(region); }
+  /** Takes back setCropBox, setCrop, addKeepOut and addRegion. */
+  void clearPart()
+  {
+    plan_input_.choice = PartChoice();
+    plan_input_.regions.clear();
+  }
+  const PartChoice& getPartChoice() const { return plan_input_.choice; }            ///< Crops and keep-outs.
+  const std::vector<PlanRegion>& getRegions() const { return plan_input_.regions; } ///< Those of addRegion.
+
+  /** The holder above the ball, from the ball upwards. Its way, and that of the shank below it, is checked against the whole scan or mesh.
+   *  Empty, the default: neither is checked but for a shank of ten radii beside what is cut. */
+  void setHolder(const std::vector<ToolSegment>& segments) { plan_input_.holder = segments; }
+  const std::vector<ToolSegment>& getHolder() const { return plan_input_.holder; } ///< The value of setHolder.
+  /** Distance from the centre of the ball to the holder, mm; 0 by default. */
+  void setFlankLength(double length) { plan_input_.flank_length = length; }
+  double getFlankLength() const { return plan_input_.flank_length; } ///< The value of setFlankLength.
+  /** Distance that the holder keeps, mm; 0 by default. */
+  void setHolderClearance(double clearance) { plan_input_.holder_clearance = clearance; }
+  double getHolderClearance() const { return plan_input_.holder_clearance; } ///< The value of setHolderClearance.
+  /** Collisions of shank and holder are only warnings; off by default. */
+  void setAcceptCollisions(bool accept) { plan_input_.accept_collisions = accept; }
+  bool getAcceptCollisions() const { return plan_input_.accept_collisions; } ///< The value of setAcceptCollisions.
+
+  /** A planner of the user's own in place of the spiral; null, the default: none. */
+  void setPlanner(const std::shared_ptr<const PathPlanner>& planner) { plan_input_.planner = planner; }
+  const std::shared_ptr<const PathPlanner>& getPlanner() const { return plan_input_.planner; } ///< The value of setPlanner.
+
+  /** The plan has the surface of each region, as for a check of the path; off by default: it is made if planning needs it. */
+  void setKeepSurface(bool keep) { plan_input_.keep_surface = keep; }
+  bool getKeepSurface() const { return plan_input_.keep_surface; } ///< The value of setKeepSurface.
+
+  /** Plans the path. \p path is empty on failure; see getStatus. */
+  void compute(pcl::PointCloud<ToolpathPoint>& path)
+  {
+    path.clear();
+    compute();
+    if (!this->status_.ok())
+      return;
+    path = *plan_.path;
+    if (this->input_)
+      path.header = this->input_->header;
+  }
+
+  /** The same; the path is in getPlan alone. */
+  void compute()
+  {
+    plan_ = SpiralPlan();
+    this->computeBy("SpiralPlanner", [this] { return run(); });
+  }
+
+  const SpiralPlan& getPlan() const { return plan_; }            ///< The last plan: regions, what is left uncut, tries.
+  const SpiralReport& getReport() const { return plan_.report; } ///< Figures and warnings of the last path.
+
+private:
+  /** \p cloud as a cloud of \p Other. */
+  template <typename Other, typename Own>
+  static typename pcl::PointCloud<Other>::ConstPtr as(const typename pcl::PointCloud<Own>::ConstPtr& cloud)
+  {
+    if constexpr (std::is_same_v<Other, Own>)
+      return cloud;
+    else {
+      if (!cloud)
+        return nullptr;
+      const auto other = pcl::make_shared<pcl::PointCloud<Other>>();
+      pcl::copyPointCloud(*cloud, *other);
+      return other;
+    }
+  }
+
+  Status run()
+  {
+    if (this->given_surface_)
+      return {StatusCode::InvalidArgument, "{setInputSurface} was called, but the whole scan is needed, which tells what stands beside the "
+                                           "part: give the {cloud} ({setInputCloud}), or use {SpiralToolpathGenerator}"};
+    if (!plan_input_.mesh)
+      if (const Status status = this->checkInput(); !status.ok())
+        return status;
+    PlanInput input = plan_input_;
+    input.settings = this->settings_;
+    input.choice.part_at = this->settings_.part_at;
+    input.choice.clusters = this->settings_.clusters;
+    input.modifiers = this->modifiers_;
+    input.progress = this->progress_;
+    if (!input.mesh) {
+      input.cloud = as<pcl::PointXYZ, PointInT>(this->input_);
+      input.normals = as<pcl::Normal, PointNT>(this->getInputNormals());
+      input.indices = this->givenIndices();
+    }
+    return planSpiral(input, plan_);
+  }
+
+  PlanInput plan_input_; ///< what is set on this class
+  SpiralPlan plan_;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/planning/impl/spiral_planning.h>
+
+#include "planning/joined_plan.h"
+#include "planning/mesh_samples.h"
+#include "planning/plan_attempt.h"
+
+#include <pcl_spiral/core/prism.h>
+
+#include <utility>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr int most_late = 2;                                  // tries refused late, so that a refusal takes about twice as long as a path
+constexpr int most_runs = 4;                                  // of a path that enters keep-outs a little, each time farther away from them
+constexpr double narrowest_strips = 2.0, widest_strips = 5.0; // point spacings
+
+/** The tries to plan one region. */
+class RegionTries {
+public:
+  /** \p base: a plan with the whole scan. */
+  RegionTries(const PlanInput& input, PartChoice choice, const SpiralPlan& base, ProgressCallback progress)
+  : input_(input), choice_(std::move(choice)), base_(base), progress_(std::move(progress))
+  {}
+
+  /** The path. Where the outline lies farther beyond the last points than is usual, the ball enters a keep-out: then it stays farther away
+   *  from all of them. */
+  Status run(SpiralPlan& plan)
+  {
+    for (int run = 1;; ++run) {
+      const AttemptResult result = leastUncut(plan);
+      if (result.refusal != Refusal::KeepOut || run == most_runs) {
+        plan.attempts = std::move(attempts_);
+        if (result.status.ok() && choice_.margin > 0.0)
+          plan.report.warnings.push_back(Diagnostic("the ball stays ", choice_.margin,
+                                                    " {mm} farther from the keep-outs than it must: nearer, the ",
+                                                    "path, which runs a little beyond the last points, would enter one"));
+        return result.status;
+      }
+      choice_.margin += result.room;
+    }
+  }
+
+private:
+  AttemptResult tryWith(const StripChoice& strips, SpiralPlan& plan)
+  {
+    plan = base_;
+    const AttemptResult result = attempt(input_, choice_, strips, progress_, plan);
+    attempts_.push_back({choice_.margin, strips.width, strips.cut.size(), result.status.ok() ? Diagnostic() : result.status.diagnostic()});
+    return result;
+  }
+
+  /** The path over the whole region. If there is none, or if it crosses a keep-out, the narrowest strips beside keep-outs are left out,
+   *  and no more of them than must be. A try that fails soon costs a third of a path or less, so all of these are made. */
+  AttemptResult leastUncut(SpiralPlan& plan)
+  {
+    const AttemptResult first = tryWith({}, plan);
+    const bool may_help =
+        first.refusal == Refusal::NoPath ? !choice_.keep_outs.empty() : first.refusal == Refusal::KeepOut && first.crosses;
+    if (!may_help)
+      return first;
+    int late = first.refusal == Refusal::NoPath && first.late ? 1 : 0;
+    Surface::ConstPtr surface;
+    for (StripChoice strips{narrowest_strips, {}, &surface}; strips.width <= widest_strips && late < most_late; strips.width += 1.0) {
+      const AttemptResult result = tryWith(strips, plan);
+      if (result.status.ok()) {
+        cutStrips(strips, plan);
+        return result;
+      }
+      if (result.status.code() == StatusCode::Cancelled)
+        return result;
+      late += result.late ? 1 : 0;
+    }
+    return first;
+  }
+
+  /** Cuts as many of the strips that \p plan leaves uncut as can be. */
+  void cutStrips(StripChoice strips, SpiralPlan& plan)
+  {
+    const std::size_t found = plan.part.strips.size();
+    for (std::size_t i = 0; i < found && plan.part.strips.size() > 1; ++i) {
+      strips.cut.push_back(i);
+      SpiralPlan with;
+      if (tryWith(strips, with).status.ok())
+        plan = std::move(with);
+      else
+        strips.cut.pop_back();
+    }
+  }
+
+  const PlanInput& input_;
+  PartChoice choice_;
+  const SpiralPlan& base_;
+  ProgressCallback progress_;
+  std::vector<PlanAttempt> attempts_;
+};
+
+Diagnostic
+textOfRegion(const std::string& name, const Diagnostic& said)
+{
+  return name.empty() ? said : Diagnostic(name, ": ", said);
+}
+
+/** What a mesh cannot have: its own faces say what is cut, and which side is outside. */
+Status
+checkMesh(const PlanInput& input)
+{
+  const SpiralSettings& s = input.settings;
+  bool has_polygon = false;
+  for (const PlanRegion& region : input.regions)
+    has_polygon = has_polygon || region.polygon;
+  const char* setter = input.choice.crop_box || input.choice.crop ? "{setCrop}"
+                       : !input.choice.keep_outs.empty()          ? "{addKeepOut}"
+                       : has_polygon                              ? "{addRegion}"
+                       : s.view_point                             ? "{setViewPoint}"
+                       : s.thinning > 0.0                         ? "{setThinning}"
+                       : s.outlier_neighbours > 0                 ? "{setOutlierRemoval}"
+                                                                  : nullptr;
+  if (setter == nullptr)
+    return Status::success();
+  return {StatusCode::InvalidArgument, Diagnostic(setter, " belongs to scans, and a mesh is given ({setInputMesh}): leave one of the two "
+                                                          "out")};
+}
+
+/** The regions with names, if there are several; one if none is given. */
+std::vector<PlanRegion>
+regionsOf(const PlanInput& input)
+{
+  std::vector<PlanRegion> regions = input.regions;
+  if (regions.empty())
+    regions.emplace_back();
+  for (std::size_t i = 0; regions.size() > 1 && i < regions.size(); ++i)
+    if (regions[i].name.empty())
+      regions[i].name = "region " + std::to_string(i + 1);
+  return regions;
+}
+
+} // namespace
+
+Status
+planSpiral(const PlanInput& input, SpiralPlan& plan)
+{
+  plan = SpiralPlan();
+  plan.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
+  SpiralPlan base;
+  std::vector<StageCost> stages;
+  StageClock clock(stages);
+  if (input.mesh) {
+    if (const Status status = checkMesh(input); !status.ok())
+      return status;
+    if (const Status status = sampleMesh(input.mesh, input.sample_spacing, input.settings, input.progress, base); !status.ok())
+      return status;
+    clock.end("samples");
+  }
+  else
+    base.whole = base.cloud = input.cloud;
+  const std::vector<PlanRegion> regions = regionsOf(input);
+  std::vector<SpiralPlan> made;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    PartChoice choice = input.choice;
+    choice.region = regions[i].polygon;
+    if (regions[i].part_at)
+      choice.part_at = regions[i].part_at;
+    const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(regions.size()); };
+    made.emplace_back();
+    RegionTries tries(input, choice, base, partOf(input.progress, share(i), share(i + 1)));
+    if (const Status status = tries.run(made.back()); !status.ok())
+      return {status.code(), textOfRegion(regions[i].name, status.diagnostic())};
+    made.back().region = regions[i].name;
+  }
+  if (made.size() == 1)
+    plan = std::move(made.front());
+  else {
+    plan = base;
+    if (const Status status = joinPlans(std::move(made), plan); !status.ok())
+      return status;
+  }
+  for (const StageCost& stage : stages)
+    addStage(stage, plan.report.stages);
+  return Status::success();
+}
+
+} // namespace pcl_spiral
