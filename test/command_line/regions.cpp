@@ -210,8 +210,8 @@ TEST_F(Regions, ARegionThatFailsIsNamedAndNothingIsWritten)
   writeText(folder_.path("all.txt"), "-139 -69\n139 -69\n139 69\n-139 69\n");
   writeText(folder_.path("far.txt"), "500 500\n600 500\n600 600\n");
   refuses({"--region", "left.txt", "--region", "far.txt", "--part-at", "-75,0,4"}, 2,
-          "region 2 (--region far.txt): scan.xyz: no point is left");
-  refuses({"--part-at", "-75,0,4", "--part-at", "85,10,60"}, 2, "region 2 (--part-at 85,10,60): scan.xyz: ");
+          "scan.xyz: region 2 (--region far.txt): no point is left");
+  refuses({"--part-at", "-75,0,4", "--part-at", "85,10,60"}, 2, "scan.xyz: region 2 (--part-at 85,10,60): ");
   refuses({"--part-at", "-75,0,4", "--part-at", "-70,3,4"}, 1, "region 1 (--part-at -75,0,4) and region 2 (--part-at -70,3,4) have ");
   refuses({"--region", "left.txt", "--part-at", "85,10,7"}, 2, "--part-at 85,10,7: this place is in no --region");
   refuses(with({"--center", "0,0,0"}), 2, "--center belongs to one region");

@@ -2,6 +2,7 @@
 #include "planning/joined_plan.h"
 
 #include "planning/joined_report.h"
+#include "planning/plan_regions.h"
 
 #include <pcl/common/point_tests.h>
 
@@ -63,15 +64,6 @@ checkApart(const std::vector<RegionPoints>& regions)
                                                    ": they would be cut twice; leave one of the two out, or make the polygons smaller")};
   }
   return Status::success();
-}
-
-Diagnostics
-ofRegion(const std::string& region, Diagnostics warnings)
-{
-  for (Diagnostic& warning : warnings)
-    if (!region.empty())
-      warning = Diagnostic(region, ": ", warning);
-  return warnings;
 }
 
 void

@@ -22,9 +22,6 @@ struct RegionPoints {
 /** InvalidInput if two \p regions have points in common: which, how many and where. */
 Status checkApart(const std::vector<RegionPoints>& regions);
 
-/** \p warnings with the name of their \p region; as they are if it has none. */
-Diagnostics ofRegion(const std::string& region, Diagnostics warnings);
-
 /** One path with all passes of \p regions, in their order, the tool lifted between them; points and reports together, in \p all, which has
  *  the whole scan already. Fails if regions have points in common. */
 Status joinPlans(std::vector<SpiralPlan> regions, SpiralPlan& all);

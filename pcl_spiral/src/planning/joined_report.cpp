@@ -2,6 +2,7 @@
 #include "planning/joined_report.h"
 
 #include "planning/joined_plan.h"
+#include "planning/plan_regions.h"
 
 #include <algorithm>
 

@@ -117,7 +117,8 @@ choose(const PlanInput& input, const PartChoice& choice, const StripChoice& stri
   }
   if (strips.width > 0.0 && plan.part.strips.empty()) // soon: the points are those that were refused
     return refused(Refusal::NoPath, {StatusCode::Failed, "no strip beside a keep-out is that narrow"}, false);
-  clock.end("part");
+  if (plan.part.cloud)
+    clock.end("part");
   if (progress && !progress(0.0, "part"))
     return refused(Refusal::Input, {StatusCode::Cancelled, "cancelled"}, false);
   if (!needsSurface(input, choice, plan))

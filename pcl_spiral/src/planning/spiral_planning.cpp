@@ -4,9 +4,10 @@
 #include "planning/joined_plan.h"
 #include "planning/mesh_samples.h"
 #include "planning/plan_attempt.h"
+#include "planning/plan_regions.h"
 
-#include <pcl_spiral/core/prism.h>
-
+#include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace pcl_spiral {
@@ -96,44 +97,32 @@ private:
   std::vector<PlanAttempt> attempts_;
 };
 
-Diagnostic
-textOfRegion(const std::string& name, const Diagnostic& said)
-{
-  return name.empty() ? said : Diagnostic(name, ": ", said);
-}
-
 /** What a mesh cannot have: its own faces say what is cut, and which side is outside. */
 Status
 checkMesh(const PlanInput& input)
 {
   const SpiralSettings& s = input.settings;
-  bool has_polygon = false;
-  for (const PlanRegion& region : input.regions)
-    has_polygon = has_polygon || region.polygon;
-  const char* setter = input.choice.crop_box || input.choice.crop ? "{setCrop}"
-                       : !input.choice.keep_outs.empty()          ? "{addKeepOut}"
-                       : has_polygon                              ? "{addRegion}"
-                       : s.view_point                             ? "{setViewPoint}"
-                       : s.thinning > 0.0                         ? "{setThinning}"
-                       : s.outlier_neighbours > 0                 ? "{setOutlierRemoval}"
-                                                                  : nullptr;
-  if (setter == nullptr)
-    return Status::success();
-  return {StatusCode::InvalidArgument, Diagnostic(setter, " belongs to scans, and a mesh is given ({setInputMesh}): leave one of the two "
-                                                          "out")};
+  const char* const setter = s.view_point               ? "{setViewPoint}"
+                             : s.thinning > 0.0         ? "{setThinning}"
+                             : s.outlier_neighbours > 0 ? "{setOutlierRemoval}"
+                                                        : nullptr;
+  if (setter != nullptr)
+    return {StatusCode::InvalidArgument,
+            Diagnostic(setter, " belongs to scans, and a mesh is given ({setInputMesh}): leave one of the two out")};
+  return checkPartOfMesh(input.choice, input.regions);
 }
 
-/** The regions with names, if there are several; one if none is given. */
-std::vector<PlanRegion>
-regionsOf(const PlanInput& input)
+/** \p progress with shares that do not fall when a path is tried again. */
+ProgressCallback
+neverLess(const ProgressCallback& progress)
 {
-  std::vector<PlanRegion> regions = input.regions;
-  if (regions.empty())
-    regions.emplace_back();
-  for (std::size_t i = 0; regions.size() > 1 && i < regions.size(); ++i)
-    if (regions[i].name.empty())
-      regions[i].name = "region " + std::to_string(i + 1);
-  return regions;
+  if (!progress)
+    return {};
+  const auto most = std::make_shared<double>(0.0);
+  return [progress, most](double share, const std::string& stage) {
+    *most = std::max(*most, share);
+    return progress(*most, stage);
+  };
 }
 
 } // namespace
@@ -142,7 +131,6 @@ Status
 planSpiral(const PlanInput& input, SpiralPlan& plan)
 {
   plan = SpiralPlan();
-  plan.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   SpiralPlan base;
   std::vector<StageCost> stages;
   StageClock clock(stages);
@@ -155,16 +143,12 @@ planSpiral(const PlanInput& input, SpiralPlan& plan)
   }
   else
     base.whole = base.cloud = input.cloud;
-  const std::vector<PlanRegion> regions = regionsOf(input);
+  const ProgressCallback progress = neverLess(input.progress);
+  const std::vector<PlanRegion> regions = namedRegions(input.regions);
   std::vector<SpiralPlan> made;
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    PartChoice choice = input.choice;
-    choice.region = regions[i].polygon;
-    if (regions[i].part_at)
-      choice.part_at = regions[i].part_at;
-    const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(regions.size()); };
     made.emplace_back();
-    RegionTries tries(input, choice, base, partOf(input.progress, share(i), share(i + 1)));
+    RegionTries tries(input, choiceOf(input.choice, regions[i]), base, progressOf(progress, i, regions.size()));
     if (const Status status = tries.run(made.back()); !status.ok())
       return {status.code(), textOfRegion(regions[i].name, status.diagnostic())};
     made.back().region = regions[i].name;

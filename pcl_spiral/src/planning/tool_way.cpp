@@ -82,6 +82,19 @@ obstaclesOf(const SpiralPlan& plan)
   return points;
 }
 
+/** The points that the cutter stays off, and those that were left out by their place. */
+pcl::PointCloud<pcl::PointXYZ>::ConstPtr
+obstaclesOf(const PassPlan& plan)
+{
+  if (plan.chosen.beside.empty() && plan.chosen.kept_out.empty())
+    return plan.cloud;
+  const auto points = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*plan.cloud);
+  for (const auto* some : {&plan.chosen.beside, &plan.chosen.kept_out})
+    for (const Eigen::Vector3f& p : *some)
+      points->emplace_back(p.x(), p.y(), p.z());
+  return points;
+}
+
 template <typename Way>
 Status
 check(const ToolWay& asked, const Way& way, Diagnostics& warnings)
@@ -150,6 +163,20 @@ wayOf(const SpiralPlan& plan, const LedTool& tool)
     way.points = obstaclesOf(plan);
   way.remedy = Diagnostic("lean the tool another way (", plan.settings.fixed_axis ? "{setFixedAxis}" : "{setTiltAngle}, {setLeadAngle}",
                           "), take a longer tool ({setFlankLength}) or a thinner {setHolder}");
+  return way;
+}
+
+ToolWay
+wayOf(const PassPlan& plan, const PassSettings& settings)
+{
+  ToolWay way;
+  way.tool = {settings.cutter, settings.holder, settings.holder_clearance, settings.tolerance + plan.locations.noise_allowance,
+              settings.threads};
+  way.mesh = plan.mesh;
+  if (!way.mesh)
+    way.points = obstaclesOf(plan);
+  way.remedy = "use a longer or thinner tool, another axis";
+  way.accepted = settings.accept_collisions;
   return way;
 }
 

@@ -9,6 +9,7 @@
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/planning/pass_plan.h>
 #include <pcl_spiral/planning/spiral_plan.h>
 #include <pcl_spiral/verify/figures.h>
 #include <pcl_spiral/verify/lead_check.h>
@@ -51,6 +52,10 @@ LedTool toolOf(const SpiralPlan& plan, double flank_length, const std::vector<To
 
 /** The way of \p tool over \p plan, against the whole mesh, or the whole scan without the clusters that are left out as false echoes. */
 ToolWay wayOf(const SpiralPlan& plan, const LedTool& tool);
+
+/** The way of the tool of \p settings over \p plan, against the mesh, or the points that the cutter stays off and those that were left out
+ *  by their place. */
+ToolWay wayOf(const PassPlan& plan, const PassSettings& settings);
 
 /** Looks at the moves of \p passes, straight from pose to pose. Where only single points off the scan's surface are in their way, or
  *  collisions are accepted, that goes to \p warnings; else it is Failed with the deepest place. */

@@ -73,12 +73,12 @@ writeDriveReport(const std::string& file, const Job& job, const Result& result)
   if (result.mesh)
     report["mesh"] = meshOf(*result.mesh);
   else {
-    report["points"] = result.scan.cloud->size();
+    report["points"] = result.cloud->size();
     report["side"] = sideJson(result.side);
   }
   if (job.drive.kind == DriveKind::Planes)
     report["rows"] = rowsOf(result.drive);
-  for (const RegionPasses& region : result.regions)
+  for (const RegionPassCount& region : result.regions)
     report["regions"].push_back({{"region", region.name}, {"passes", region.passes}, {"locations", region.locations}});
   report["drive_points"] = result.drive.points;
   addPasses(result, report);

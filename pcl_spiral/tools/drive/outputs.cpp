@@ -28,8 +28,7 @@ titleOf(const Job& job)
 void
 draw(const Job& job, const Result& result, PictureFiles& pictures)
 {
-  ToolpathMotion motion;
-  pictures.drawPasses(passScene(job, result, titleOf(job), joinedPasses(job, result, motion)));
+  pictures.drawPasses(passScene(job, result, titleOf(job), joinedPasses(result.passes).path));
   if (result.program)
     pictures.drawProgram(titleOf(job), *result.program);
 }
@@ -65,7 +64,7 @@ printSummary(const Job& job, const Result& result, double seconds)
   if (result.mesh)
     std::printf("mesh            %s: %zu faces, %zu vertices\n", job.scan.c_str(), result.mesh->faceCount(), result.mesh->vertexCount());
   else
-    std::printf("scan            %s: %zu points\n%s\n", job.scan.c_str(), result.scan.cloud->size(),
+    std::printf("scan            %s: %zu points\n%s\n", job.scan.c_str(), result.cloud->size(),
                 sideLine(result.asked_side, result.side).c_str());
   if (result.drive.column)
     std::printf("column          radius %.4g to %.4g mm, covered over %.0f degrees\n", result.drive.column->least_radius,
@@ -77,7 +76,7 @@ printSummary(const Job& job, const Result& result, double seconds)
                 result.drive.step_over);
   if (job.drive.link_rows)
     std::printf("links           %zu rows joined on the surface, %zu not\n", result.drive.links, result.drive.rows_apart);
-  for (const RegionPasses& region : result.regions)
+  for (const RegionPassCount& region : result.regions)
     std::printf("%s: %zu pass%s, %zu locations\n", region.name.c_str(), region.passes, region.passes == 1 ? "" : "es", region.locations);
   printPasses(job, result, filesOf(job), seconds);
 }

@@ -33,7 +33,7 @@ passScene(const Job& job, const Result& result, const std::string& title, pcl::P
 {
   PassScene scene;
   scene.title = title;
-  scene.cloud = result.scan.cloud;
+  scene.cloud = result.cloud;
   scene.mesh = result.mesh;
   if (job.drive.kind == DriveKind::Helix && result.passes.size() == 1 && result.drive.column)
     countTurns(result.drive.column->cylinder, path);

@@ -1,31 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
-#include "column_ends.h"
-#include "joined_drives.h"
 #include "judging/raw_scan_option.h"
-#include "mesh_part.h"
-#include "passes/cutter_locations.h"
-#include "passes/free_passes.h"
-#include "passes/left_out.h"
-#include "passes/mesh_samples.h"
-#include "passes/pass_axes.h"
-#include "passes/scan_surface.h"
+#include "passes/pass_failure.h"
 #include "program/program_check.h"
-#include "scallop_check.h"
 #include "terminal/region_choice.h"
 #include "terminal/terminal.h"
 
-#include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/surface/impl/side_text.h>
+#include <pcl_spiral/io/mesh_reader.h>
+#include <pcl_spiral/planning/drive_planner.h>
+
+#include <Eigen/Geometry>
 
 using namespace pcl_spiral;
 
 namespace {
 
+using Planner = DrivePlanner<pcl::PointXYZ>;
+
 Polyline
-curveOf(const Job& job, Result& result)
+curveOf(const Job& job, Diagnostics& warnings)
 {
   ReadOptions read = readAsScan(job.read);
   read.columns.clear();
@@ -36,107 +30,90 @@ curveOf(const Job& job, Result& result)
     points.push_back(p.getVector3fMap().cast<double>());
   if (points.size() < 2)
     throw FileError(job.curve_file, "a curve needs at least two points; add points, or give another file");
-  result.warnings.insert(result.warnings.end(), curve.warnings.begin(), curve.warnings.end());
+  warnings.insert(warnings.end(), curve.warnings.begin(), curve.warnings.end());
   return points;
 }
 
-DrivePasses
-drivePasses(const Job& job, const Surface::ConstPtr& surface, ProgressBar& bar, Result& result)
+/** A part smaller than the cutter is probably in another unit. */
+void
+requireLargerThanCutter(const Job& job, const pcl::PolygonMesh& mesh)
 {
-  DrivePath<pcl::PointXYZ> drive;
-  const DriveSettings& s = job.drive;
-  setPart(job, result, surface, drive);
-  drive.setKind(s.kind);
-  drive.setStepOver(s.step_over);
-  drive.setPointSpacing(s.point_spacing);
-  drive.setPlaneDirection(s.plane_angle);
-  drive.setZigzag(s.zigzag);
-  drive.setRows(s.rows);
-  drive.setScallop(job.cutter, job.scallop);
-  drive.setLinkRows(s.link_rows);
-  drive.setAxis(s.axis);
-  drive.setAxisMode(s.axisMode());
-  drive.setOverrun(s.overrun);
+  pcl::PointCloud<pcl::PointXYZ> points;
+  pcl::fromPCLPointCloud2(mesh.cloud, points);
+  Eigen::AlignedBox3d box;
+  for (const pcl::PointXYZ& p : points)
+    if (pcl::isFinite(p))
+      box.extend(p.getVector3fMap().cast<double>());
+  if (!box.isEmpty() && box.diagonal().norm() < job.cutter.radius)
+    throw FileError(job.scan, Diagnostic("the mesh, from ", Place(box.min()), " to ", Place(box.max()),
+                                         ", is smaller than the cutter's radius of ", job.cutter.radius,
+                                         " mm: is it in another unit? Give the unit, such as --units m, or a smaller --tool-radius"));
+}
+
+void
+readMeshPart(const Job& job, Planner& planner, Result& result)
+{
+  const MeshFile file = readMesh(job.scan, job.read);
+  setScanFrame(file.shift, job.read);
+  requireLargerThanCutter(job, *file.mesh);
+  result.warnings = file.warnings;
+  planner.setMeshSettings(job.mesh_settings);
+  planner.setInputMesh(file.mesh);
+  planner.setSampleMesh(hasLeads(job.program, job.outputs));
+  planner.setGougeCheck(!job.no_gouge_check);
+}
+
+void
+readScanPart(const Job& job, Planner& planner, Result& result)
+{
+  Scan scan = readCloud(job.scan, job.read);
+  setScanFrame(scan.shift, job.read);
+  result.warnings = scan.warnings;
+  result.asked_side = sideOf(scan, fromScan(job.view_point));
+  planner.setInputCloud(scan.cloud);
+  planner.setInputNormals(result.asked_side.normals);
+  planner.setTrustNormals(false); // they come from a file: normals without a common side are not used, with a warning
+  if (result.asked_side.view_point)
+    planner.setViewPoint(*result.asked_side.view_point);
+  planner.setFlipNormals(job.flip_scan);
+  planner.setLargestPart(job.largest_part);
+  planner.setThinning(job.thinning);
+  planner.setLeaveOutStrays(job.leave_out_strays);
+  planner.setClusterHandling(job.choice.clusters);
+  setPart(job.choice, job.regions, job.read, planner);
+}
+
+/** Tool and drive path. */
+void
+setPasses(const Job& job, Planner& planner, Diagnostics& warnings)
+{
+  DriveSettings drive = job.drive;
+  drive.scallop_height = job.scallop;
   if (job.column_axis)
-    drive.setCylinder({fromScan(job.column_centre), *job.column_axis});
-  if (s.kind == DriveKind::Curve)
-    drive.setCurve(curveOf(job, result));
-  drive.setChordError(0.5 * job.tolerance); // the other half is for the moves between locations
-  drive.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(0.5 * share, stage); });
-  DrivePasses passes;
-  drive.compute(passes);
-  require(job.scan, drive.getStatus());
-  result.drive = drive.getReport();
-  smoothPasses(job, passes, result.warnings);
-  return passes;
+    drive.cylinder = DriveCylinder{fromScan(job.column_centre), *job.column_axis};
+  if (drive.kind == DriveKind::Curve)
+    drive.curve = curveOf(job, warnings);
+  planner.setSettings(drive);
+  planner.setCutter(job.cutter);
+  planner.setPassSettings(job);
+  planner.setHolder(job.holder);
+  planner.setHolderClearance(job.holder_clearance);
+  planner.setAcceptCollisions(job.program.accept_collisions);
+  planner.setNumberOfThreads(job.threads);
 }
 
-/** Warns of a side that is not clear, if the axes depend on it. */
+/** Adds what the program alone knows. */
 void
-warnOfSide(const Job& job, Result& result)
+addWarnings(const Job& job, Result& result)
 {
-  if (const DriveAxisMode mode = job.drive.axisMode(); mode == DriveAxisMode::Surface || mode == DriveAxisMode::LocalPlane) {
-    for (Diagnostic& warning : sideWarnings(result.side))
-      result.warnings.push_back(std::move(warning));
-    for (Diagnostic& warning : viewPointWarnings(result.asked_side, result.side))
-      result.warnings.push_back(std::move(warning));
-  }
-}
-
-/** Adds the warnings: those of the scan in front, then those of the drive path and of the locations. */
-void
-warnOfPath(const Job& job, Result& result)
-{
-  Diagnostics& warnings = result.warnings;
-  warnings.insert(warnings.begin(), result.scan.warnings.begin(), result.scan.warnings.end());
-  warnings.insert(warnings.end(), result.drive.warnings.begin(), result.drive.warnings.end());
-  warnOfLocations(job, result);
-  if (job.no_gouge_check)
-    warnings.push_back("the cutter was not checked against the rest of the mesh (--no-gouge-check): it gouges hollows narrower "
-                       "than itself");
-}
-
-/** The passes over the region that job.choice chooses. */
-Result
-planned(const Job& job, ProgressBar& bar)
-{
-  Result result;
-  StageClock clock(result.stages);
-  Surface::ConstPtr& surface = result.surface;
-  if (job.mesh) {
-    bar.update(0.0, "reading " + job.scan);
-    readMeshPart(job, result);
-    clock.end("mesh");
-    if (hasLeads(job.program, job.outputs) || job.drive.goesRound()) {
-      sampleMesh(job, result);
-      clock.end("samples");
-    }
-  }
-  else {
-    surface = heedClusters(job, bar, readScan(job, bar, result, clock), result);
-    warnOfSide(job, result);
-  }
-  if (!job.raw_scan.empty() && surface)
-    result.warnings.push_back(Diagnostic(smoothingText(rawScanFigures(job.raw_scan, job.read, *surface), job.raw_scan),
+  if (result.mesh)
+    return;
+  if (const DriveAxisMode mode = job.drive.axisMode(); mode == DriveAxisMode::Surface || mode == DriveAxisMode::LocalPlane)
+    for (const Diagnostic& warning : viewPointWarnings(result.asked_side, result.side))
+      result.warnings.push_back(warning);
+  if (!job.raw_scan.empty() && result.surface)
+    result.warnings.push_back(Diagnostic(smoothingText(rawScanFigures(job.raw_scan, job.read, *result.surface), job.raw_scan),
                                          "; pcl_spiral_verify --raw-scan judges the path by it"));
-  const DrivePasses passes = drivePasses(job, surface, bar, result);
-  clock.end("drive path");
-  std::vector<ToolLocations> located = job.no_gouge_check ? standAtContacts(job, passes) : locateCutter(job, surface, passes, bar, result);
-  clock.end("locations");
-  bar.clear();
-  leaveOut(job, located, result);
-  requireNoCollision(job, located);
-  requireKnownEnd(job, located);
-  takePoses(located, result);
-  if (result.passes.empty())
-    throw FileError(job.scan, "no pass has two cutter locations over the part; check the drive path and the tool axis");
-  requireFreePasses(job, result);
-  if (job.drive.goesRound())
-    warnOfEnds(job, located, result);
-  requireScallop(job, surface, result);
-  warnOfPath(job, result);
-  clock.end("scallop check");
-  return result;
 }
 
 } // namespace
@@ -145,12 +122,29 @@ Result
 plan(const Job& job)
 {
   ProgressBar bar(job.quiet);
-  std::vector<Result> regions;
-  for (const NamedRegion& region : regionsOf(job.choice, job.regions, job.read)) {
-    Job one = job;
-    one.choice = region.part;
-    regions.push_back(inRegion(region.name, [&] { return planned(one, bar); }));
-    regions.back().region = region.name;
-  }
-  return regions.size() == 1 ? std::move(regions.front()) : joined(job, std::move(regions));
+  Result result;
+  std::vector<StageCost> stages;
+  StageClock clock(stages);
+  bar.update(0.0, "reading " + job.scan);
+  Planner planner;
+  if (job.mesh)
+    readMeshPart(job, planner, result);
+  else
+    readScanPart(job, planner, result);
+  if (cancelled())
+    throw Cancelled();
+  setPasses(job, planner, result.warnings);
+  planner.setQuiet(true);
+  planner.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
+  clock.end(job.mesh ? "mesh" : "reading");
+  planner.compute();
+  bar.clear();
+  require(job.scan, planner.getStatus());
+  const Diagnostics reading = std::move(result.warnings);
+  static_cast<PassPlan&>(result) = planner.getPlan();
+  result.warnings.insert(result.warnings.begin(), result.chosen.warnings.begin(), result.chosen.warnings.end());
+  result.warnings.insert(result.warnings.begin(), reading.begin(), reading.end());
+  result.stages.insert(result.stages.begin(), stages.begin(), stages.end());
+  addWarnings(job, result);
+  return result;
 }

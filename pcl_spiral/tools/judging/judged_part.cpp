@@ -4,7 +4,7 @@
 #include "terminal/scan_places.h"
 
 #include "collision/ball_way.h"
-#include "planning/joined_plan.h"
+#include "planning/plan_regions.h"
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>

@@ -37,34 +37,6 @@ isPassFile(const std::string& output)
          extension == ".png" || std::find(known.begin(), known.end(), extension) != known.end();
 }
 
-pcl::PointCloud<ToolpathPoint>
-joinedPasses(const PassJob& job, const PassResult& result, ToolpathMotion& motion)
-{
-  pcl::PointCloud<ToolpathPoint> path;
-  motion.tool_radius = job.cutter.radius;
-  motion.feed = job.feed;
-  motion.origin = scanShift();
-  double length = 0.0;
-  for (std::size_t pass = 0; pass < result.passes.size(); ++pass) {
-    if (pass > 0)
-      motion.passes.push_back(path.size());
-    const ToolPose* before = nullptr;
-    for (const ToolPose& pose : result.passes[pass]) {
-      length += before ? (pose.contact - before->contact).norm() : 0.0;
-      before = &pose;
-      ToolpathPoint p;
-      p.getVector3fMap() = pose.contact.cast<float>();
-      p.getNormalVector3fMap() = pose.normal.cast<float>();
-      p.getAxisVector3fMap() = pose.axis.cast<float>();
-      p.arc_length = length;
-      p.turn = static_cast<float>(pass);
-      path.push_back(p);
-      motion.tips.push_back(pose.tip);
-    }
-  }
-  return path;
-}
-
 /** What a program says of its passes. */
 ProgramTexts
 textsOf(const PassJob& job, const std::string& title)
@@ -88,9 +60,8 @@ writePassFile(const PassJob& job, const PassResult& result, const std::string& t
     return writePoseAngles(file, result.passes);
   if (isExchange(output))
     return writeExchange(job.program, {title, exchangeCutter(job), result.moves}, result.program, output, file);
-  ToolpathMotion motion;
-  const pcl::PointCloud<ToolpathPoint> path = joinedPasses(job, result, motion);
-  writeToolpath(file, path, motion);
+  const PassPath all = joinedPasses(result.passes);
+  writeToolpath(file, all.path, {job.cutter.radius, job.feed, all.tips, all.begins, scanShift()});
 }
 
 void

@@ -18,9 +18,6 @@
 /** Whether \p output can be written, by its extension. */
 bool isPassFile(const std::string& output);
 
-/** All passes in sequence; the turn is the number of the pass. \p motion holds the tips of a tool of any shape. */
-pcl::PointCloud<pcl_spiral::ToolpathPoint> joinedPasses(const PassJob& job, const PassResult& result, pcl_spiral::ToolpathMotion& motion);
-
 /** Writes \p file in the format of \p output; not for pictures and reports. \throw pcl_spiral::FileError */
 void writePassFile(const PassJob& job, const PassResult& result, const std::string& title, const std::string& output,
                    const std::string& file);

@@ -9,9 +9,8 @@
 #include "terminal/part_options.h"
 #include "terminal/scan_places.h"
 
-#include <pcl_spiral/core/cutter_profile.h>
-#include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/planning/pass_plan.h>
 
 #include <optional>
 #include <set>
@@ -19,7 +18,7 @@
 #include <vector>
 
 /** Settings that all such programs share: files, tool, machine, run. Lengths in mm, angles in degrees. */
-struct PassJob {
+struct PassJob : pcl_spiral::PassSettings {
   std::set<std::string> given; ///< names of the options that were set, here or in a job file
   NamedValues options;         ///< those options with their values, for the report
   std::string command;         ///< the call as typed
@@ -33,19 +32,9 @@ struct PassJob {
   PartOptions choice;        ///< which points of the scan are the part
   bool largest_part = false; ///< of several parts, use only the largest
   double thinning = 0.0;     ///< voxel edge; 0: none
-  pcl_spiral::CutterShape cutter;
-  std::vector<pcl_spiral::ToolSegment> holder;
-  double holder_clearance = 0.0;
-  double ceiling = 0.0;        ///< mm above the drive point, from where the cutter comes; 0: the length of the tool
-  double max_retilt = 0.0;     ///< degrees; 0: axes are not turned
-  double retilt_step = 3.0;    ///< degrees from one location to the next
-  double tolerance = 0.01;     ///< between locations
-  double axis_smoothing = 0.0; ///< mm along the path; 0: none
-  double max_axis_rate = 0.0;  ///< degrees per mm; 0: no limit
-  double feed = 1000.0;        ///< mm/min
+  double feed = 1000.0;      ///< mm/min
   ProgramJob program;
   std::string config_file;
-  unsigned int threads = 0;
   bool verbose = false;
   bool quiet = false;
   bool help = false;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pass_program.h"
 
-#include "free_passes.h"
 #include "pass_check.h"
 #include "program/exchange_files.h"
 #include "program/free_leads.h"
+#include "program/free_path.h"
 #include "program/machine_moves.h"
 #include "program/stay_down.h"
 
@@ -37,19 +37,36 @@ requireSteadyBeam(const PassJob& job, const MachineProgram& program)
                              std::string(1, program.machine.rotary[0].letter)));
 }
 
-LedTool
-ledTool(const PassJob& job, const PassResult& result)
+/** The tool of \p job, whose collisions may be accepted. */
+PassSettings
+toolOf(const PassJob& job)
 {
-  return {job.cutter, job.holder, job.holder_clearance, job.tolerance + result.locations.noise_allowance, job.threads};
+  PassSettings tool = job;
+  tool.accept_collisions = job.program.accept_collisions;
+  return tool;
+}
+
+/** Shank and holder are clear of the scan on the cutting moves. */
+void
+requireFreeHolder(const PassJob& job, PassResult& result)
+{
+  if (isGiven(job, "no-gouge-check"))
+    return;
+  PathCheck asked;
+  static_cast<ToolWay&>(asked) = wayOf(result, toolOf(job));
+  asked.file = job.part;
+  asked.quiet = job.quiet;
+  requireFreePath(asked, *result.program, result.warnings);
 }
 
 /** The leads of a cutter are clear of the scan. */
 void
 requireFree(const PassJob& job, const MachineProgram& program, PassResult& result)
 {
-  if (!(job.cutter.radius > 0.0) || !result.whole_scan)
+  if (!(job.cutter.radius > 0.0) || !result.whole)
     return;
-  requireFreeLeads(job.part, result.whole_scan, ledTool(job, result), program, job.program.accept_collisions, job.quiet, result.warnings);
+  requireFreeLeads(job.part, result.whole, wayOf(result, toolOf(job)).tool, program, job.program.accept_collisions, job.quiet,
+                   result.warnings);
 }
 
 } // namespace
@@ -62,7 +79,7 @@ addProgram(const PassJob& job, const Machine& machine, PassResult& result)
     warnings.clear();
     return makeProgram(job.program, machine, job.feed, isBall(job) ? job.cutter.radius : 0.0, result.passes, retracted, warnings);
   };
-  result.program = linkedProgram(job.program, make, job.part, result.whole_scan, ledTool(job, result));
+  result.program = linkedProgram(job.program, make, job.part, result.whole, wayOf(result, toolOf(job)).tool);
   result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   if (job.cutter.radius > 0.0)
     for (const Diagnostic& warning : spindleWarnings(job.program, machine, job.outputs))
@@ -70,8 +87,8 @@ addProgram(const PassJob& job, const Machine& machine, PassResult& result)
   else
     requireSteadyBeam(job, *result.program);
   requireFree(job, *result.program, result);
-  if (job.cutter.radius > 0.0 && result.whole_scan)
-    requireFreeProgram(job, result);
+  if (job.cutter.radius > 0.0 && result.whole)
+    requireFreeHolder(job, result);
 }
 
 void

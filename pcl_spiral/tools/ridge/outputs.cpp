@@ -29,10 +29,9 @@ writeRows(const Job& job, const Result& result, const std::string& file)
 {
   PassScene scene;
   scene.title = titleOf(job);
-  scene.cloud = result.scan.cloud;
+  scene.cloud = result.cloud;
   scene.mesh = result.mesh;
-  ToolpathMotion motion;
-  scene.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(joinedPasses(job, result, motion));
+  scene.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(joinedPasses(result.passes).path);
   scene.cutter = job.cutter;
   scene.step_over = result.rows.largest_step;
   writePasses(file, scene);
@@ -43,7 +42,7 @@ void
 writePictures(const Job& job, const Result& result, const OutputFiles& files, std::size_t& next)
 {
   writeRows(job, result, files.temporary(next++));
-  const RidgeScene scene{titleOf(job), result.ridge, result.rail, result.generator, result.scan.cloud};
+  const RidgeScene scene{titleOf(job), result.ridge, result.rail, result.generator, result.cloud};
   writeRidgeLines(files.temporary(next++), scene);
   writeRidgeNormals(files.temporary(next++), scene);
   if (result.program)
@@ -58,8 +57,8 @@ printRidge(const Job& job, const Result& result)
   const Eigen::Vector3d worst = result.found ? inScan(result.found->largest_place) : Eigen::Vector3d();
   if (result.found)
     std::printf("scan            %s: %zu points; off the ridge by %.3g mm rms, %.3g at most at (%.1f, %.1f, %.1f); its noise is %.3g mm\n",
-                job.scan.c_str(), result.scan.cloud->size(), result.found->misfit, result.found->largest_misfit, worst.x(), worst.y(),
-                worst.z(), result.found->noise);
+                job.scan.c_str(), result.cloud->size(), result.found->misfit, result.found->largest_misfit, worst.x(), worst.y(), worst.z(),
+                result.found->noise);
   const auto known = [&](double error) { return result.found ? std::string() : Diagnostic(", measured to ", error, " mm").text(); };
   std::printf("rail            %zu points, %.1f mm%s%s; slope up to %.1f degrees\n", r.rail_points, r.rail_length, r.closed ? " round" : "",
               known(r.rail_error).c_str(), r.largest_slope);

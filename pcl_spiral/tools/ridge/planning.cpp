@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 
-#include "passes/cutter_locations.h"
-#include "passes/free_passes.h"
-#include "passes/mesh_samples.h"
 #include "passes/pass_axes.h"
-#include "passes/scan_surface.h"
+#include "passes/pass_failure.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
 
 #include "drive/pass_axes.h"
+#include "planning/part_surface.h"
+#include "planning/pass_locations.h"
+#include "planning/pass_mesh.h"
+#include "planning/tool_way.h"
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
@@ -56,8 +57,10 @@ void
 findLines(const Job& job, ProgressBar& bar, Result& result)
 {
   RidgeLines<pcl::PointXYZ> lines;
-  lines.setInputCloud(result.scan.cloud); // not the cutter's surface: its side may differ
-  setSurface(job, lines);
+  lines.setInputCloud(result.cloud); // not the cutter's surface: its side may differ
+  lines.setLargestPart(job.largest_part);
+  lines.setThinning(job.thinning);
+  lines.setNumberOfThreads(job.threads);
   Polyline through;
   for (const Eigen::Vector3d& place : job.through)
     through.push_back(fromScan(place));
@@ -93,18 +96,10 @@ makeRows(const Job& job, Result& result)
 void
 takeBeam(const Job& job, const DrivePasses& rows, Result& result)
 {
-  for (const DrivePass& row : rows) {
-    ToolPoses poses;
-    const auto add = [&](const DrivePoint& p) {
-      if (!poses.empty())
-        result.length += (p.position - poses.back().tip).norm();
-      poses.push_back({p.position, p.axis.normalized(), p.position - beamReach(p, job.rows.stand_off) * p.axis.normalized(), p.normal});
-    };
-    std::for_each(row.points.begin(), row.points.end(), add);
-    if (row.closed)
-      add(row.points.front());
-    result.passes.push_back(poses);
-  }
+  result.passes = beamPasses(rows, job.rows.stand_off);
+  for (const ToolPoses& poses : result.passes)
+    for (std::size_t i = 1; i < poses.size(); ++i)
+      result.length += (poses[i].tip - poses[i - 1].tip).norm();
   const double lean = std::hypot(job.rows.lead, job.rows.tilt);
   if (lean > 0.0 && job.rows.stand_off != 0.0)
     result.warnings.push_back(
@@ -129,17 +124,59 @@ makeMesh(const Job& job, Result& result)
                                          " mm wide needs too many triangles, more than a million: machine it in pieces"));
 }
 
-void
-takeCutter(const Job& job, const Surface::ConstPtr& surface, const DrivePasses& rows, ProgressBar& bar, Result& result)
+SurfaceSettings
+surfaceSettings(const Job& job, const Result& result)
 {
-  const std::vector<ToolLocations> located = locateCutter(job, surface, rows, bar, result);
-  requireNoCollision(job, located);
-  requireKnownEnd(job, located);
+  SurfaceSettings settings;
+  settings.trust_normals = false; // they come from a file: normals without a common side are not used, with a warning
+  settings.view_point = result.asked_side.view_point;
+  settings.flip_normals = job.flip_scan;
+  settings.largest_part = job.largest_part;
+  settings.thinning = job.thinning;
+  settings.threads = job.threads;
+  return settings;
+}
+
+/** The scan, without its outliers if asked for, and the surface through its points; null if they form none. */
+void
+readScan(const Job& job, ProgressBar& bar, StageClock& clock, Result& result)
+{
+  bar.update(0.0, "reading " + job.scan);
+  const Scan scan = readCloud(job.scan, job.read);
+  setScanFrame(scan.shift, job.read);
+  result.warnings = scan.warnings;
+  result.whole = result.cloud = scan.cloud;
+  clock.end("reading");
+  if (cancelled())
+    throw Cancelled();
+  result.asked_side = sideOf(scan, fromScan(job.view_point));
+  result.normals = result.asked_side.normals;
+  if (job.leave_out_strays) {
+    bar.update(0.0, "strays");
+    require(job.scan, leaveOutStrays(job.threads, result));
+    clock.end("strays");
+  }
+  const auto progress = [&bar](double share, const std::string& stage) { return bar.update(0.3 * share, stage); };
+  require(job.scan, makePartSurface(surfaceSettings(job, result), progress, result));
+  clock.end("surface");
+}
+
+void
+takeCutter(const Job& job, const DrivePasses& rows, ProgressBar& bar, Result& result)
+{
+  PassSettings tool = job;
+  tool.accept_collisions = job.program.accept_collisions;
+  std::vector<ToolLocations> located;
+  const auto progress = [&bar](double share, const std::string& stage) { return bar.update(0.5 + 0.5 * share, stage); };
+  require(job.part, locateCutter(tool, surfaceSettings(job, result), rows, progress, result, located));
+  require(job.part, checkCollisions(tool, located));
+  require(job.part, checkEnd(tool, located));
   takePoses(located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no row has two cutter locations over the part: check that lines and scan are in the same coordinates");
-  requireFreePasses(job, result);
-  warnOfLocations(job, result);
+  if (!job.holder.empty())
+    require(job.part, checkToolWay(wayOf(result, tool), result.passes, result.warnings));
+  warnOfLocations(tool, result);
 }
 
 } // namespace
@@ -150,11 +187,8 @@ plan(const Job& job)
   ProgressBar bar(job.quiet);
   Result result;
   StageClock clock(result.stages);
-  Surface::ConstPtr surface;
-  if (!job.scan.empty()) {
-    surface = readScan(job, bar, result, clock);
-    result.warnings.insert(result.warnings.end(), result.scan.warnings.begin(), result.scan.warnings.end());
-  }
+  if (!job.scan.empty())
+    readScan(job, bar, clock, result);
   if (job.through.empty())
     readLines(job, result);
   else
@@ -169,8 +203,8 @@ plan(const Job& job)
   }
   if (job.hasCutter()) {
     if (job.scan.empty() && hasLeads(job.program, job.outputs))
-      sampleMesh(job, result);
-    takeCutter(job, surface, rows, bar, result);
+      require(job.part, sampleMesh(job.cutter.radius, job.threads, result));
+    takeCutter(job, rows, bar, result);
     clock.end("locations");
   }
   else

@@ -62,3 +62,19 @@ inRegion(const std::string& name, Work work) -> decltype(work())
 
 /** \p regions for a planner, in the coordinates of the scan that was read with \p asked. \throw pcl_spiral::FileError */
 std::vector<pcl_spiral::PlanRegion> planRegions(const std::vector<NamedRegion>& regions, const pcl_spiral::ReadOptions& asked);
+
+/** Sets crop, keep-outs, regions and place of the part. \throw UsageError, pcl_spiral::FileError */
+template <typename Planner>
+void
+setPart(const PartOptions& options, const RegionChoice& regions, const pcl_spiral::ReadOptions& read, Planner& planner)
+{
+  const pcl_spiral::PartChoice choice = choiceOf(options, read);
+  if (choice.crop_box)
+    planner.setCropBox(*choice.crop_box);
+  if (choice.crop)
+    planner.setCrop(*choice.crop);
+  for (const pcl_spiral::Prism& keep_out : choice.keep_outs)
+    planner.addKeepOut(keep_out);
+  for (const pcl_spiral::PlanRegion& region : planRegions(regionsOf(options, regions, read), read))
+    planner.addRegion(region);
+}

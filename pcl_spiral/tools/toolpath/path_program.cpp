@@ -16,7 +16,7 @@ ProgramJob
 programJob(const Job& job, const Result& result)
 {
   ProgramJob asked = job.program;
-  asked.settings.clear_box = boxToClear(job, result);
+  asked.settings.clear_box = result.plan.clearBox();
   return asked;
 }
 

@@ -9,10 +9,13 @@
 
 #include "judging/judged_part.h"
 #include "planning/joined_plan.h"
+#include "planning/plan_regions.h"
 #include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/planning/spiral_planner.h>
+
+#include <pcl/conversions.h>
 
 using namespace pcl_spiral;
 
@@ -61,15 +64,10 @@ readFaces(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner, Result& result)
   MeshFile file = readMesh(job.scan, job.read);
   setScanFrame(file.shift, job.read);
   result.reading = std::move(file.warnings);
-  MeshSettings settings;
-  settings.flip = job.settings.flip_normals;
-  SurfaceMesh::ConstPtr mesh;
-  requireOk(job, SurfaceMesh::make(*file.mesh, settings, mesh));
-  Eigen::AlignedBox3d box;
-  for (std::size_t v = 0; v < mesh->vertexCount(); ++v)
-    box.extend(mesh->position(v));
-  requireScale(job, box);
-  planner.setInputMesh(mesh);
+  pcl::PointCloud<pcl::PointXYZ> vertices;
+  pcl::fromPCLPointCloud2(file.mesh->cloud, vertices);
+  requireScale(job, boxOf(vertices));
+  planner.setInputMesh(file.mesh);
   planner.setSampleSpacing(job.sample_spacing);
 }
 
@@ -87,17 +85,8 @@ settingsOf(const Job& job, const Result& result)
 }
 
 void
-setPart(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner)
+setHolder(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner)
 {
-  const PartChoice choice = choiceOf(job.part, job.read);
-  if (choice.crop_box)
-    planner.setCropBox(*choice.crop_box);
-  if (choice.crop)
-    planner.setCrop(*choice.crop);
-  for (const Prism& keep_out : choice.keep_outs)
-    planner.addKeepOut(keep_out);
-  for (const PlanRegion& region : planRegions(regionsOf(job.part, job.regions, job.read), job.read))
-    planner.addRegion(region);
   planner.setFlankLength(job.flank_length);
   planner.setHolder(job.holder);
   planner.setHolderClearance(job.holder_clearance);
@@ -162,7 +151,8 @@ plan(const Job& job)
   if (cancelled())
     throw Cancelled();
   planner.setSettings(settingsOf(job, result));
-  setPart(job, planner);
+  setPart(job.part, job.regions, job.read, planner);
+  setHolder(job, planner);
   planner.setQuiet(true);
   planner.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   clock.end("reading");

@@ -3,8 +3,6 @@
 
 #include "path_program.h"
 
-#include <pcl_spiral/collision/impl/false_echoes.h>
-
 #include <algorithm>
 
 using namespace pcl_spiral;
@@ -23,21 +21,6 @@ passEnds(const Result& result)
 }
 
 } // namespace
-
-Eigen::AlignedBox3d
-boxToClear(const Job& job, const Result& result)
-{
-  Eigen::AlignedBox3d box;
-  if (!job.part.cuts() && job.regions.polygons.empty() && job.regions.places.empty())
-    return box;
-  std::vector<Eigen::Vector3f> points;
-  for (const pcl::PointXYZ& p : *result.plan.whole)
-    if (pcl::isFinite(p))
-      points.push_back(p.getVector3fMap());
-  for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
-    box.extend(p.cast<double>());
-  return box;
-}
 
 RegionLinks
 checkedLinks(const Job& job, Result& result)

@@ -6,9 +6,6 @@
 
 #include "outputs.h"
 
-/** The box of what stands in the scan, without false echoes; empty if the part is the whole scan. */
-Eigen::AlignedBox3d boxToClear(const Job& job, const Result& result);
-
 /** Leads the tool off the end of each pass of a path of several regions, up over the highest point of the scan, across, and down to the
  *  next pass, as a program would, and looks for the scan on the way. A path file has no links: its tool is lifted by the program that
  *  reads it. \throw pcl_spiral::FileError if the tool would touch the scan, unless --accept-collisions is given: then it is a warning */

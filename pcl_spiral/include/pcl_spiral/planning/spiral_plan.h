@@ -11,6 +11,8 @@
 #include <pcl_spiral/spiral/spiral_settings.h>
 #include <pcl_spiral/surface/surface.h>
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -41,10 +43,10 @@ struct SpiralPlan {
   std::string region;              ///< its name; empty: the only one, or all together
   std::vector<SpiralPlan> regions; ///< if there are several; all else is then of all together
 
-  pcl::PointCloud<ToolpathPoint>::Ptr path; ///< all passes; never null
-  SpiralSettings settings;                  ///< as used
-  SpiralReport report;                      ///< with the warnings of making the path
-  std::vector<PlanAttempt> attempts;        ///< of the region
+  pcl::PointCloud<ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(); ///< all passes; never null
+  SpiralSettings settings;                                                                       ///< as used
+  SpiralReport report;                                                                           ///< with the warnings of making the path
+  std::vector<PlanAttempt> attempts;                                                             ///< of the region
 
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole; ///< the scan, or the samples of the mesh
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< those that are of the part
@@ -54,6 +56,10 @@ struct SpiralPlan {
   std::vector<Eigen::Vector3f> echoes;            ///< clusters that are left out as false echoes, if there is a holder to check
   SurfaceMesh::ConstPtr whole_mesh;               ///< with the parts that the path does not run over; null for a scan
   std::optional<SampledMesh> mesh;                ///< absent for a scan
+
+  /** The box of what stands in the scan, without false echoes, for ProgramSettings::clear_box: rapids cross above it. Empty if the whole
+   *  scan is the part. */
+  Eigen::AlignedBox3d clearBox() const;
 };
 
 } // namespace pcl_spiral

@@ -4,16 +4,14 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/planning/impl/spiral_planning.h>
+#include <pcl_spiral/planning/part_input.h>
 #include <pcl_spiral/spiral/spiral_input.h>
 
-#include <pcl/common/io.h>
+#include <pcl/PolygonMesh.h>
 
-#include <Eigen/Geometry>
-
-#include <type_traits>
-#include <utility>
-#include <vector>
+#include <memory>
 
 namespace pcl_spiral {
 
@@ -39,50 +37,39 @@ namespace pcl_spiral {
  *  The same input gives the same bytes for any number of threads.
  */
 template <typename PointInT, typename PointNT = pcl::Normal>
-class SpiralPlanner : public SpiralInput<PointInT, PointNT> {
+class SpiralPlanner : public PartInput<SpiralInput<PointInT, PointNT>> {
 public:
   using Ptr = pcl::shared_ptr<SpiralPlanner>;            ///< A shared pointer.
   using ConstPtr = pcl::shared_ptr<const SpiralPlanner>; ///< A shared pointer to a constant one.
 
-  /** A mesh in place of the scan: all of it is the part. Its faces define the side; keep-outs, crops, regions and filters of points
-   *  belong to scans. Null, the default: the scan counts. */
-  void setInputMesh(const SurfaceMesh::ConstPtr& mesh) { plan_input_.mesh = mesh; }
-  const SurfaceMesh::ConstPtr& getInputMesh() const { return plan_input_.mesh; } ///< The value of setInputMesh.
+  /** The whole scan. Clears a mesh given before. */
+  void setInputCloud(const typename pcl::PointCloud<PointInT>::ConstPtr& cloud) override
+  {
+    SpiralInput<PointInT, PointNT>::setInputCloud(cloud);
+    setInputMesh(SurfaceMesh::ConstPtr());
+  }
+
+  /** A mesh in place of the scan: all of it is the part. Its faces define the side, and setFlipNormals turns them; keep-outs, crops,
+   *  regions in polygons and filters of points belong to scans. Null, the default: the scan counts. */
+  void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
+  {
+    polygons_ = mesh;
+    plan_input_.mesh.reset();
+  }
+  /** The same with a mesh made with your own settings; it is turned already. */
+  void setInputMesh(const SurfaceMesh::ConstPtr& mesh)
+  {
+    polygons_.reset();
+    plan_input_.mesh = mesh;
+  }
+  const SurfaceMesh::ConstPtr& getInputMesh() const { return plan_input_.mesh; } ///< The mesh given, or made by the last compute.
   /** Distance of the samples of the mesh, mm; 0, the default: from the curvature of the mesh and the step-over. */
   void setSampleSpacing(double spacing) { plan_input_.sample_spacing = spacing; }
   double getSampleSpacing() const { return plan_input_.sample_spacing; } ///< The value of setSampleSpacing.
 
-  /** Only points in this box are of the part. */
-  void setCropBox(const Eigen::AlignedBox3d& box) { plan_input_.choice.crop_box = box; }
-  /** Only points in this prism are of the part. */
-  void setCrop(const Prism& prism) { plan_input_.choice.crop = prism; }
-  /** The cutter must not enter this prism, nor its shank what was scanned in it. May be called several times. */
-  void addKeepOut(const Prism& prism) { plan_input_.choice.keep_outs.push_back(prism); }
-  /** One region of the part, with a path of its own; may be called several times. */
-  void addRegion(const PlanRegion& region) { plan_input_.regions.push_back(region); }
-  /** Takes back setCropBox, setCrop, addKeepOut and addRegion. */
-  void clearPart()
-  {
-    plan_input_.choice = PartChoice();
-    plan_input_.regions.clear();
-  }
-  const PartChoice& getPartChoice() const { return plan_input_.choice; }            ///< Crops and keep-outs.
-  const std::vector<PlanRegion>& getRegions() const { return plan_input_.regions; } ///< Those of addRegion.
-
-  /** The holder above the ball, from the ball upwards. Its way, and that of the shank below it, is checked against the whole scan or mesh.
-   *  Empty, the default: neither is checked but for a shank of ten radii beside what is cut. */
-  void setHolder(const std::vector<ToolSegment>& segments) { plan_input_.holder = segments; }
-  const std::vector<ToolSegment>& getHolder() const { return plan_input_.holder; } ///< The value of setHolder.
   /** Distance from the centre of the ball to the holder, mm; 0 by default. */
   void setFlankLength(double length) { plan_input_.flank_length = length; }
   double getFlankLength() const { return plan_input_.flank_length; } ///< The value of setFlankLength.
-  /** Distance that the holder keeps, mm; 0 by default. */
-  void setHolderClearance(double clearance) { plan_input_.holder_clearance = clearance; }
-  double getHolderClearance() const { return plan_input_.holder_clearance; } ///< The value of setHolderClearance.
-  /** Collisions of shank and holder are only warnings; off by default. */
-  void setAcceptCollisions(bool accept) { plan_input_.accept_collisions = accept; }
-  bool getAcceptCollisions() const { return plan_input_.accept_collisions; } ///< The value of setAcceptCollisions.
-
   /** A planner of the user's own in place of the spiral; null, the default: none. */
   void setPlanner(const std::shared_ptr<const PathPlanner>& planner) { plan_input_.planner = planner; }
   const std::shared_ptr<const PathPlanner>& getPlanner() const { return plan_input_.planner; } ///< The value of setPlanner.
@@ -114,44 +101,41 @@ public:
   const SpiralReport& getReport() const { return plan_.report; } ///< Figures and warnings of the last path.
 
 private:
-  /** \p cloud as a cloud of \p Other. */
-  template <typename Other, typename Own>
-  static typename pcl::PointCloud<Other>::ConstPtr as(const typename pcl::PointCloud<Own>::ConstPtr& cloud)
-  {
-    if constexpr (std::is_same_v<Other, Own>)
-      return cloud;
-    else {
-      if (!cloud)
-        return nullptr;
-      const auto other = pcl::make_shared<pcl::PointCloud<Other>>();
-      pcl::copyPointCloud(*cloud, *other);
-      return other;
-    }
-  }
-
   Status run()
   {
     if (this->given_surface_)
       return {StatusCode::InvalidArgument, "{setInputSurface} was called, but the whole scan is needed, which tells what stands beside the "
                                            "part: give the {cloud} ({setInputCloud}), or use {SpiralToolpathGenerator}"};
+    if (const Status status = checkThreads(this->getNumberOfThreads()); !status.ok())
+      return status;
+    if (polygons_) {
+      MeshSettings settings;
+      settings.flip = this->getFlipNormals();
+      if (const Status status = SurfaceMesh::make(*polygons_, settings, plan_input_.mesh); !status.ok())
+        return status;
+    }
     if (!plan_input_.mesh)
       if (const Status status = this->checkInput(); !status.ok())
         return status;
     PlanInput input = plan_input_;
     input.settings = this->settings_;
-    input.choice.part_at = this->settings_.part_at;
-    input.choice.clusters = this->settings_.clusters;
+    input.choice = this->choice();
+    input.regions = this->regions_;
+    input.holder = this->holder_;
+    input.holder_clearance = this->holder_clearance_;
+    input.accept_collisions = this->accept_collisions_;
     input.modifiers = this->modifiers_;
     input.progress = this->progress_;
     if (!input.mesh) {
-      input.cloud = as<pcl::PointXYZ, PointInT>(this->input_);
-      input.normals = as<pcl::Normal, PointNT>(this->getInputNormals());
+      input.cloud = this->template as<pcl::PointXYZ>(this->input_);
+      input.normals = this->template as<pcl::Normal>(this->getInputNormals());
       input.indices = this->givenIndices();
     }
     return planSpiral(input, plan_);
   }
 
   PlanInput plan_input_; ///< what is set on this class
+  pcl::PolygonMesh::ConstPtr polygons_;
   SpiralPlan plan_;
 };
 

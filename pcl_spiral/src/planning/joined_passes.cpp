@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "joined_drives.h"
-
-#include "passes/scan_surface.h"
+#include "planning/joined_passes.h"
 
 #include "planning/joined_plan.h"
+#include "planning/plan_regions.h"
 
 #include <algorithm>
 
-using namespace pcl_spiral;
-
+namespace pcl_spiral {
 namespace {
 
 RegionPoints
-pointsOf(const Result& region)
+pointsOf(const PassPlan& region)
 {
   RegionPoints own{region.region, {}};
   for (std::size_t i = 0; region.surface && i < region.surface->size(); ++i) {
-    const pcl::PointXYZ& p = (*region.scan.cloud)[region.surface->sourceIndex(i)];
+    const pcl::PointXYZ& p = (*region.cloud)[region.surface->sourceIndex(i)];
     own.points.push_back({p.x, p.y, p.z});
   }
   return own;
@@ -88,32 +86,39 @@ add(const std::vector<StageCost>& stages, std::vector<StageCost>& all)
 
 } // namespace
 
-Result
-joined(const Job& job, std::vector<Result> regions)
+Status
+joinPasses(const std::vector<PassPlan>& regions, PassPlan& all)
 {
   std::vector<RegionPoints> points;
-  for (const Result& region : regions)
+  for (const PassPlan& region : regions)
     points.push_back(pointsOf(region));
-  require(job.scan, checkApart(points));
-  Result all = regions.front();
+  if (const Status status = checkApart(points); !status.ok())
+    return status;
+  all = regions.front();
   all.region.clear();
   all.surface.reset();
-  all.scan.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(*all.whole_scan);
-  all.warnings = ofRegion(regions.front().region, all.warnings);
-  all.regions = {{regions.front().region, all.passes.size(), all.poseCount()}};
-  for (std::size_t k = 1; k < regions.size(); ++k) {
-    const Result& region = regions[k];
+  all.cloud = all.whole;
+  all.warnings.clear();
+  all.passes.clear();
+  all.chosen.warnings.clear();
+  for (const PassPlan& region : regions) {
     all.regions.push_back({region.region, region.passes.size(), region.poseCount()});
     all.passes.insert(all.passes.end(), region.passes.begin(), region.passes.end());
+    for (const Diagnostic& warning : ofRegion(region.region, region.chosen.warnings))
+      all.warnings.push_back(warning);
+    for (const Diagnostic& warning : ofRegion(region.region, region.warnings))
+      all.warnings.push_back(warning);
+    if (&region == &regions.front())
+      continue;
     all.length += region.length;
     all.off_scan += region.off_scan;
-    for (Diagnostic& warning : ofRegion(region.region, region.warnings))
-      all.warnings.push_back(std::move(warning));
     add(region.drive, all.drive);
     add(region.locations, all.locations);
     add(region.bisection, all.bisection);
     add(region.left_out, all.left_out);
     add(region.stages, all.stages);
   }
-  return all;
+  return Status::success();
 }
+
+} // namespace pcl_spiral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "left_out.h"
+#include "planning/left_out.h"
 
 #include "cutter/tool_body.h"
 #include <pcl_spiral/cutter/impl/holder_collision.h>
@@ -8,8 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-using namespace pcl_spiral;
-
+namespace pcl_spiral {
 namespace {
 
 constexpr double largest_step = 0.25; // mm that a place of the tool moves between two tests
@@ -17,11 +16,12 @@ constexpr double largest_step = 0.25; // mm that a place of the tool moves betwe
 /** The tool against points that are not of the part. */
 class Obstacles {
 public:
-  Obstacles(const PassJob& job, const std::vector<Eigen::Vector3f>& points, double allowed)
-  : points_(points), allowed_(allowed), cutter_(job.cutter), length_(toolLength(cutter_, job.holder)),
-    body_(cutterAndShank(cutter_, job.holder, length_)), holder_(job.holder, cutter_.topHeight(), cutter_.radius(), job.holder_clearance)
+  Obstacles(const PassSettings& settings, const std::vector<Eigen::Vector3f>& points, double allowed)
+  : points_(points), allowed_(allowed), cutter_(settings.cutter), length_(toolLength(cutter_, settings.holder)),
+    body_(cutterAndShank(cutter_, settings.holder, length_)),
+    holder_(settings.holder, cutter_.topHeight(), cutter_.radius(), settings.holder_clearance)
   {
-    const double depth = std::min(0.5 * job.tolerance, cutter_.radius()); // of the wedge between two places of a cylinder
+    const double depth = std::min(0.5 * settings.tolerance, cutter_.radius()); // of the wedge between two places of a cylinder
     step_ = std::min(largest_step, 2.0 * std::sqrt(depth * (2.0 * cutter_.radius() - depth)));
   }
 
@@ -53,11 +53,11 @@ private:
 
 /** Whether the cutter enters one of the keep-outs between two locations. */
 bool
-enters(const PassJob& job, const std::vector<Prism>& keep_outs, const ToolLocation& from, const ToolLocation& to)
+enters(const PassSettings& settings, const std::vector<Prism>& keep_outs, const ToolLocation& from, const ToolLocation& to)
 {
-  const CutterProfile cutter(job.cutter);
+  const CutterProfile cutter(settings.cutter);
   const auto at = [&](const ToolLocation& l, double height) -> Eigen::Vector3d { return l.tip + height * l.axis; };
-  const double low = cutter.cornerRadius(), high = low + job.cutter.flank_length;
+  const double low = cutter.cornerRadius(), high = low + settings.cutter.flank_length;
   return std::any_of(keep_outs.begin(), keep_outs.end(), [&](const Prism& prism) {
     return prism.distance(at(from, low), at(to, low)) < cutter.radius() || prism.distance(at(from, high), at(to, high)) < cutter.radius() ||
            prism.distance(at(to, low), at(to, high)) < cutter.radius();
@@ -91,15 +91,15 @@ count(const Met& met, LeftOutLocations& left)
 } // namespace
 
 void
-leaveOut(const PassJob& job, std::vector<ToolLocations>& located, PassResult& result)
+leaveOut(const PassSettings& settings, std::vector<ToolLocations>& located, PassPlan& plan)
 {
-  const ChosenPart& chosen = result.chosen;
+  const ChosenPart& chosen = plan.chosen;
   if (chosen.keep_outs.empty() && chosen.beside.empty())
     return;
-  const double allowed = job.tolerance + result.locations.noise_allowance;
-  const Obstacles standing(job, chosen.kept_out, allowed), beside(job, chosen.beside, allowed);
+  const double allowed = settings.tolerance + plan.locations.noise_allowance;
+  const Obstacles standing(settings, chosen.kept_out, allowed), beside(settings, chosen.beside, allowed);
   const auto meet = [&](const ToolLocation& from, const ToolLocation& to) {
-    return Met{enters(job, chosen.keep_outs, from, to), standing.deepest(from, to), beside.deepest(from, to)};
+    return Met{enters(settings, chosen.keep_outs, from, to), standing.deepest(from, to), beside.deepest(from, to)};
   };
   for (ToolLocations& pass : located) {
     std::vector<Met> at(pass.size()), on_way(pass.size());
@@ -117,9 +117,11 @@ leaveOut(const PassJob& job, std::vector<ToolLocations>& located, PassResult& re
       const Met& met = goes_on && !at[i].any() ? on_way[i] : at[i];
       goes_on = known && !met.any();
       if (known && met.any()) {
-        count(met, result.left_out);
+        count(met, plan.left_out);
         pass[i].state = LocationState::NoCloud;
       }
     }
   }
 }
+
+} // namespace pcl_spiral

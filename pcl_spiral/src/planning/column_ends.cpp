@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "column_ends.h"
+#include "planning/column_ends.h"
 
-#include "scallop_check.h"
+#include "planning/scallop_check.h"
 
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
@@ -10,8 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
-using namespace pcl_spiral;
-
+namespace pcl_spiral {
 namespace {
 
 constexpr int sectors = 72;
@@ -19,7 +18,7 @@ constexpr int sectors = 72;
 } // namespace
 
 ColumnEnds::ColumnEnds(const DriveCylinder& cylinder)
-: cylinder_(cylinder), e1_(pcl_spiral::referenceAcross(cylinder.direction)), e2_(cylinder.direction.cross(e1_)), along_(sectors)
+: cylinder_(cylinder), e1_(referenceAcross(cylinder.direction)), e2_(cylinder.direction.cross(e1_)), along_(sectors)
 {}
 
 void
@@ -48,10 +47,10 @@ ColumnEnds::missedBy(ColumnEnds& inner)
 }
 
 void
-warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& result)
+warnOfEnds(const DrivePlanInput& input, const std::vector<ToolLocations>& located, PassPlan& plan)
 {
-  ColumnEnds scan(result.drive.column->cylinder), contacts(result.drive.column->cylinder);
-  for (const pcl::PointXYZ& p : *result.scan.cloud)
+  ColumnEnds scan(plan.drive.column->cylinder), contacts(plan.drive.column->cylinder);
+  for (const pcl::PointXYZ& p : *plan.cloud)
     if (p.getVector3fMap().allFinite())
       scan.add(p.getVector3fMap().cast<double>());
   for (const ToolLocations& pass : located)
@@ -59,14 +58,16 @@ warnOfEnds(const Job& job, const std::vector<ToolLocations>& located, Result& re
       if (location.state != LocationState::NoCloud)
         contacts.add(location.contact);
   // At the distance d from the last contact, d^2 / (2 R) is left: the scallop height at half a step-over.
-  const double missed = scan.missedBy(contacts), most_missed = 0.5 * std::sqrt(more_left) * result.drive.step_over;
+  const double missed = scan.missedBy(contacts), most_missed = 0.5 * std::sqrt(more_left) * plan.drive.step_over;
   if (!(missed > most_missed))
     return;
-  const double most = job.cutter.radius + result.drive.step_over, overrun = std::min(job.drive.overrun + missed, most);
-  const bool helps = job.drive.axisMode() == DriveAxisMode::Cylinder && job.drive.overrun < most;
-  result.warnings.push_back(Diagnostic("up to ", missed, " mm at an end of the column are not cut",
-                                       helps ? Diagnostic("; where the wall leans, the cutter touches it beside the cutter's axis: "
-                                                          "extend the path beyond the ends, such as --overrun ",
-                                                          std::ceil(10.0 * overrun) / 10.0)
-                                             : Diagnostic(": check the path there")));
+  const double most = input.tool.cutter.radius + plan.drive.step_over, overrun = std::min(input.drive.overrun + missed, most);
+  const bool helps = input.drive.axisMode() == DriveAxisMode::Cylinder && input.drive.overrun < most;
+  plan.warnings.push_back(Diagnostic("up to ", missed, " {mm} at an end of the column are not cut",
+                                     helps ? Diagnostic("; where the wall leans, the cutter touches it beside the cutter's axis: "
+                                                        "extend the path beyond the ends, such as {setOverrun} ",
+                                                        std::ceil(10.0 * overrun) / 10.0)
+                                           : Diagnostic(": check the path there")));
 }
+
+} // namespace pcl_spiral

@@ -4,14 +4,17 @@
  */
 #pragma once
 
-#include "pass_job.h"
-#include "pass_result.h"
+#include <pcl_spiral/planning/pass_plan.h>
 
 #include <pcl_spiral/cutter/tool_location.h>
 
 #include <vector>
 
+namespace pcl_spiral {
+
 /** Marks as off the part the locations where the cutter enters a keep-out, or where the whole tool touches what stands in one or what
  *  was scanned beside the part, and those at the end of a move that does. For keep-outs the cutter is taken as a cylinder round its
- *  axis; a ball is taken as it is. Without a holder the tool is a shank ten radii long. Adds how many to \p result. */
-void leaveOut(const PassJob& job, std::vector<pcl_spiral::ToolLocations>& located, PassResult& result);
+ *  axis; a ball is taken as it is. Without a holder the tool is a shank ten radii long. Adds how many to \p plan. */
+void leaveOut(const PassSettings& settings, std::vector<ToolLocations>& located, PassPlan& plan);
+
+} // namespace pcl_spiral

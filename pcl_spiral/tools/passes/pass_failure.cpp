@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pass_failure.h"
+
+#include "terminal/terminal.h"
+
+#include <pcl_spiral/io/file_error.h>
+
+using namespace pcl_spiral;
+
+void
+require(const std::string& file, const Status& status)
+{
+  if (status.code() == StatusCode::Cancelled || cancelled())
+    throw Cancelled();
+  if (status.code() == StatusCode::InvalidArgument)
+    throw UsageError(Diagnostic(file, ": ", status.diagnostic()));
+  if (!status.ok())
+    throw FileError(file, status.diagnostic());
+}

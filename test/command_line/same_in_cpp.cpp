@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the programs make, C++ users make with the same classes: files are the same byte for byte.
+#include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/mesh_reader.h>
+#include <pcl_spiral/io/path_exchange.h>
+#include <pcl_spiral/io/polygon_reader.h>
+#include <pcl_spiral/io/program_writer.h>
+#include <pcl_spiral/io/toolpath_writer.h>
+#include <pcl_spiral/machine/machine_program_generator.h>
+#include <pcl_spiral/planning/drive_planner.h>
+#include <pcl_spiral/planning/spiral_planner.h>
+#include <pcl_spiral/ridge/ridge_toolpath.h>
+
+#include "run_program.h"
+#include "support/ridges.h"
+#include "two_domes.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <sstream>
+
+namespace same_in_cpp_test {
+
+namespace {
+
+using namespace pcl_spiral;
+using namespace two_domes;
+using Arguments = std::vector<std::string>;
+using Planner = SpiralPlanner<pcl::PointXYZ>;
+
+const Eigen::Vector3d on_left(-75.0, 0.0, 4.0), on_right(85.0, 10.0, 7.0);
+
+class SameInCpp : public ::testing::Test {
+protected:
+  void SetUp() override
+  {
+    std::ostringstream all;
+    all.precision(9);
+    for (const Vector3d& p : twoDomes())
+      all << p.transpose() << '\n';
+    writeText(folder_.path("scan.xyz"), all.str());
+    writeText(folder_.path("keep.txt"), "-60 -4\n-52 -4\n-52 4\n-60 4\n");
+    writeText(folder_.path("west.txt"), "-105 -40\n-78 -40\n-78 40\n-105 40\n");
+    writeText(folder_.path("east.txt"), "-72 -40\n-40 -40\n-40 40\n-72 40\n");
+  }
+
+  RunResult run(const char* program, const Arguments& arguments) { return endOf(startProgram(program, arguments, folder_), folder_); }
+
+  /** The program with \p options, and a planner that \p choose sets, refuse alike or write the same. */
+  void expectSame(const Arguments& options, const std::function<void(Planner&)>& choose, bool refused = false)
+  {
+    Arguments arguments{"scan.xyz", "-o", "program.csv", "--tool-radius", "4", "--scallop", "0.05"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const RunResult result = run(PCL_SPIRAL_TOOLPATH_PROGRAM, arguments);
+    Planner planner;
+    planner.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+    planner.setToolRadius(4.0);
+    planner.setScallopHeight(0.05);
+    planner.setQuiet(true);
+    choose(planner);
+    pcl::PointCloud<ToolpathPoint> path;
+    planner.compute(path);
+    ASSERT_EQ(planner.getStatus().ok(), !refused) << planner.getStatus().message();
+    ASSERT_EQ(result.code == 0, !refused) << result.err;
+    EXPECT_EQ(path.empty(), refused);
+    if (refused) {
+      for (const Eigen::Vector3d& place : planner.getStatus().diagnostic().places())
+        EXPECT_NE(result.err.find(placeText(place)), std::string::npos) << result.err;
+      return;
+    }
+    writeToolpath(folder_.path("cpp.csv"), path, {planner.getToolRadius(), planner.getFeed()});
+    EXPECT_EQ(readText(folder_.path("cpp.csv")), readText(folder_.path("program.csv")));
+    EXPECT_GT(path.size(), 1000U);
+  }
+
+  Prism polygon(const std::string& file) const { return readPolygon(folder_.path(file)); }
+
+  ScratchFolder folder_;
+};
+
+} // namespace
+
+TEST_F(SameInCpp, PartAndKeepOut)
+{
+  expectSame({"--part-at", "-75,0,4", "--keep-out", "keep.txt"}, [this](Planner& planner) {
+    planner.setPartAt(on_left);
+    planner.addKeepOut(polygon("keep.txt"));
+  });
+}
+
+TEST_F(SameInCpp, TwoRegionsByPlace)
+{
+  expectSame({"--part-at", "-75,0,4", "--part-at", "85,10,7"}, [](Planner& planner) {
+    planner.addRegion({std::nullopt, on_left, ""});
+    planner.addRegion({std::nullopt, on_right, ""});
+  });
+}
+
+TEST_F(SameInCpp, TwoRegionsInPolygonsOfACropAndAHolder)
+{
+  expectSame({"--region", "east.txt", "--region", "west.txt", "--crop", "-130,-20,-50,50,-2,50", "--flank-length", "20", "--holder",
+              "6,40/20,25,60"},
+             [this](Planner& planner) {
+               planner.setCropBox({Eigen::Vector3d(-130.0, -50.0, -2.0), Eigen::Vector3d(-20.0, 50.0, 50.0)});
+               planner.addRegion({polygon("east.txt"), std::nullopt, "east"});
+               planner.addRegion({polygon("west.txt"), std::nullopt, "west"});
+               planner.setFlankLength(20.0);
+               planner.setHolder({ToolSegment::cylinder(6.0, 40.0, "shank"), {20.0, 25.0, 60.0, "chuck"}});
+             });
+}
+
+TEST_F(SameInCpp, AHolderThatMeetsTheTowerIsRefusedAtTheSamePlace)
+{
+  expectSame(
+      {"--part-at", "-75,0,4", "--flank-length", "2", "--holder", "90,40"},
+      [](Planner& planner) {
+        planner.setPartAt(on_left);
+        planner.setFlankLength(2.0);
+        planner.setHolder({ToolSegment::cylinder(90.0, 40.0, "chuck")});
+      },
+      true);
+}
+
+TEST_F(SameInCpp, APartThatNobodyChoseIsRefusedAlike)
+{
+  expectSame(
+      {}, [](Planner&) {}, true);
+}
+
+TEST_F(SameInCpp, AMeshWithAHole)
+{
+  std::ostringstream obj;
+  constexpr int cells = 30;
+  for (int i = 0; i <= cells; ++i)
+    for (int k = 0; k <= cells; ++k)
+      obj << "v " << 2 * i << ' ' << 2 * k << ' ' << 0.004 * (i - 15) * (i - 15) - 0.002 * (k - 12) * (k - 12) << '\n';
+  for (int i = 0; i < cells; ++i)
+    for (int k = 0; k < cells; ++k)
+      if (std::hypot(i - 18, k - 12) > 5.0) {
+        const int a = i * (cells + 1) + k + 1;
+        obj << "f " << a << ' ' << a + cells + 1 << ' ' << a + cells + 2 << "\nf " << a << ' ' << a + cells + 2 << ' ' << a + 1 << '\n';
+      }
+  writeText(folder_.path("part.obj"), obj.str());
+  const RunResult result =
+      run(PCL_SPIRAL_TOOLPATH_PROGRAM, {"part.obj", "--mesh", "-o", "program.csv", "--tool-radius", "4", "--scallop", "0.05"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  Planner planner;
+  planner.setInputMesh(readMesh(folder_.path("part.obj")).mesh);
+  planner.setToolRadius(4.0);
+  planner.setScallopHeight(0.05);
+  pcl::PointCloud<ToolpathPoint> path;
+  planner.compute(path);
+  ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  writeToolpath(folder_.path("cpp.csv"), path, {planner.getToolRadius(), planner.getFeed()});
+  EXPECT_EQ(readText(folder_.path("cpp.csv")), readText(folder_.path("program.csv")));
+}
+
+TEST_F(SameInCpp, AProgramForATrunnion)
+{
+  const RunResult result = run(PCL_SPIRAL_TOOLPATH_PROGRAM, {"scan.xyz", "-o", "program.ngc", "--tool-radius", "4", "--scallop", "0.05",
+                                                             "--crop", "-130,-20,-50,50,-2,50", "--spindle", "8000"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  Planner planner;
+  planner.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+  planner.setCropBox({Eigen::Vector3d(-130.0, -50.0, -2.0), Eigen::Vector3d(-20.0, 50.0, 50.0)});
+  planner.setToolRadius(4.0);
+  planner.setScallopHeight(0.05);
+  pcl::PointCloud<ToolpathPoint> path;
+  planner.compute(path);
+  ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  MachineProgramGenerator generator;
+  generator.setMachine(xyzacTrunnion());
+  ProgramSettings settings;
+  settings.feed = planner.getFeed();
+  settings.clear_box = planner.getPlan().clearBox();
+  generator.setSettings(settings);
+  generator.setInputPath(path, planner.getToolRadius());
+  MachineProgram program;
+  generator.compute(program);
+  ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  ProgramHeader header;
+  header.title = "scan.xyz";
+  header.spindle_speed = 8000.0;
+  header.notes = {"cutter radius 4 mm, a ball", "scallop height 0.05 mm, chord error 0.005 mm, feed 1000 mm/min"};
+  header.smoothing = planner.getChordError();
+  writeLinuxCNC(folder_.path("cpp.ngc"), program, header);
+  EXPECT_EQ(readText(folder_.path("cpp.ngc")), readText(folder_.path("program.ngc")));
+}
+
+TEST_F(SameInCpp, RobotFramesOfTwoRegions)
+{
+  const RunResult result = run(PCL_SPIRAL_TOOLPATH_PROGRAM, {"scan.xyz", "-o", "program.yaml", "--tool-radius", "4", "--scallop", "0.05",
+                                                             "--part-at", "-75,0,4", "--part-at", "85,10,7"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  Planner planner;
+  planner.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+  planner.addRegion({std::nullopt, on_left, ""});
+  planner.addRegion({std::nullopt, on_right, ""});
+  planner.setToolRadius(4.0);
+  planner.setScallopHeight(0.05);
+  planner.compute();
+  ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  ProgramSettings settings;
+  settings.feed = planner.getFeed();
+  settings.ball_radius = 4.0;
+  settings.clear_box = planner.getPlan().clearBox();
+  writeRobotFrames(folder_.path("cpp.yaml"), ledPasses(ballPasses(*planner.getPlan().path, 4.0), settings));
+  EXPECT_EQ(readText(folder_.path("cpp.yaml")), readText(folder_.path("program.yaml")));
+}
+
+TEST_F(SameInCpp, DriveBesideAKeepOutWithAHolder)
+{
+  const RunResult result =
+      run(PCL_SPIRAL_DRIVE_PROGRAM, {"scan.xyz", "-o", "program.csv", "--tool-radius", "4", "--scallop", "0.1", "--part-at", "-75,0,4",
+                                     "--keep-out", "keep.txt", "--flank-length", "30", "--holder", "6,40/20,25,60", "--tolerance", "0.02"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  DrivePlanner<pcl::PointXYZ> planner;
+  planner.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+  planner.setPartAt(on_left);
+  planner.addKeepOut(polygon("keep.txt"));
+  planner.setScallop(CutterShape::ball(4.0, 30.0), 0.1);
+  planner.setRows(DriveRows::Kept);
+  planner.setHolder({ToolSegment::cylinder(6.0, 40.0, "shank"), {20.0, 25.0, 60.0, "chuck"}});
+  PassSettings settings;
+  settings.tolerance = 0.02;
+  planner.setPassSettings(settings);
+  std::vector<ToolPoses> passes;
+  planner.compute(passes);
+  ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  EXPECT_GT(planner.getPlan().left_out.count(), 0U);
+  const PassPath all = joinedPasses(passes);
+  writeToolpath(folder_.path("cpp.csv"), all.path, {4.0, 1000.0, all.tips, all.begins});
+  EXPECT_EQ(readText(folder_.path("cpp.csv")), readText(folder_.path("program.csv")));
+}
+
+TEST_F(SameInCpp, DriveRefusesAlike)
+{
+  const RunResult result = run(PCL_SPIRAL_DRIVE_PROGRAM, {"scan.xyz", "-o", "program.csv", "--tool-radius", "4", "--step-over", "2",
+                                                          "--flank-length", "2", "--holder", "90,40", "--part-at", "-75,0,4"});
+  EXPECT_EQ(result.code, 1);
+  DrivePlanner<pcl::PointXYZ> planner;
+  planner.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+  planner.setPartAt(on_left);
+  planner.setCutter(CutterShape::ball(4.0, 2.0));
+  planner.setStepOver(2.0);
+  planner.setHolder({ToolSegment::cylinder(90.0, 40.0, "segment 1 of the holder")});
+  planner.setQuiet(true);
+  std::vector<ToolPoses> passes(3);
+  planner.compute(passes);
+  EXPECT_FALSE(planner.getStatus().ok());
+  EXPECT_TRUE(passes.empty() && planner.getPlan().passes.empty());
+  ASSERT_FALSE(planner.getStatus().diagnostic().places().empty());
+  for (const Eigen::Vector3d& place : planner.getStatus().diagnostic().places())
+    EXPECT_NE(result.err.find(placeText(place)), std::string::npos) << result.err;
+}
+
+TEST_F(SameInCpp, ABeamOnARidge)
+{
+  const pcl_spiral::test::ExactRidge die = pcl_spiral::test::dieRidge();
+  const auto write = [&](const char* file, const std::vector<Vector3d>& points) {
+    std::ostringstream text;
+    for (const Vector3d& p : points)
+      text << p.transpose() << '\n';
+    writeText(folder_.path(file), text.str());
+  };
+  write("rail.txt", die.railPoints(300));
+  write("generator.txt", die.generatorPoints(0.37, 100));
+  const RunResult result = run(PCL_SPIRAL_RIDGE_PROGRAM, {"rail.txt", "generator.txt", "-o", "program.6d", "--spot", "4", "--overlap",
+                                                          "0.25", "--stand-off", "150", "--origin", "0,0,0"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  RidgeToolpath<pcl::PointXYZ> ridge;
+  ridge.setInputCloud(readCloud(folder_.path("rail.txt")).cloud);
+  ridge.setInputGenerator(readCloud(folder_.path("generator.txt")).cloud);
+  ridge.setSpot(4.0, 0.25);
+  ridge.setStandOff(150.0);
+  DrivePasses rows;
+  ridge.compute(rows);
+  ASSERT_TRUE(ridge.getStatus().ok()) << ridge.getStatus().message();
+  writePoseVectors(folder_.path("cpp.6d"), beamPasses(rows, ridge.getStandOff()));
+  EXPECT_EQ(readText(folder_.path("cpp.6d")), readText(folder_.path("program.6d")));
+}
+
+} // namespace same_in_cpp_test
