@@ -173,6 +173,7 @@ private:
   Status select(Region& region, pcl::Indices& kept)
   {
     region.setInputCloud(cloud_);
+    region.setQuiet(true);
     region.filter(kept);
     return region.getStatus();
   }

@@ -34,6 +34,7 @@ leaveOutStrays(unsigned int threads, PassPlan& plan)
 {
   StrayRemoval<pcl::PointXYZ> removal;
   removal.setNumberOfThreads(threads);
+  removal.setQuiet(true);
   removal.setInputCloud(plan.cloud);
   pcl::Indices indices;
   removal.filter(indices);

@@ -48,7 +48,7 @@ private:
   {
     plan = base_;
     const AttemptResult result = attempt(input_, choice_, strips, progress_, plan);
-    attempts_.push_back({choice_.margin, strips.width, strips.cut.size(), result.status.ok() ? Diagnostic() : result.status.diagnostic()});
+    attempts_.push_back({choice_.margin, strips.width, strips.cut, result.status.ok() ? Diagnostic() : result.status.diagnostic()});
     return result;
   }
 

@@ -139,7 +139,7 @@ TEST(SpiralPlanner, EachTryHasItsReasonAndTheLastOneIsThePlan)
               planner.getStatus().ok());
     for (std::size_t i = 1; i < plan.attempts.size(); ++i) {
       const PlanAttempt &before = plan.attempts[i - 1], &next = plan.attempts[i];
-      EXPECT_TRUE(!before.refusal.empty() || next.cut > 0) << "nothing is tried again without a reason, but to cut more strips";
+      EXPECT_TRUE(!before.refusal.empty() || !next.cut.empty()) << "nothing is tried again without a reason, but to cut more strips";
       EXPECT_TRUE(next.margin > before.margin || next.strip_width > before.strip_width || next.cut != before.cut);
     }
     double uncut = 0.0;
@@ -266,7 +266,7 @@ TEST(SpiralPlanner, RegionsAreCutInTheirOrderForAnyNumberOfThreads)
     EXPECT_GT(path.front().x, 70.0f);
     EXPECT_LT(path.back().x, 50.0f);
     EXPECT_EQ(path.size(), plan.regions[0].path->size() + plan.regions[1].path->size());
-    EXPECT_TRUE(plan.clearBox().contains(Vector3d(120.0, 10.0, 3.0)));
+    EXPECT_TRUE(plan.clearBox().contains(Vector3d(120.0, 10.0, 2.8)));
     EXPECT_TRUE(first.empty() || same(first, path));
     first = path;
   }
@@ -317,7 +317,7 @@ TEST(SpiralPlanner, BadInputIsRefusedWithTheRemedyAndLeavesNoOlderPlan)
   planner.clearPart();
   const pcl::IndicesPtr outside(new pcl::Indices{1, 2, 3, 20000});
   planner.setIndices(outside);
-  refused(StatusCode::InvalidArgument, "20000");
+  refused(StatusCode::InvalidInput, "20000");
   planner.setIndices(pcl::IndicesPtr());
   Surface::ConstPtr surface;
   ScannedSurface<pcl::PointXYZ> scanned;

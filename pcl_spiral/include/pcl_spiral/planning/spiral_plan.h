@@ -32,10 +32,10 @@ struct SampledMesh {
 
 /** One try to plan a region. A plan has all that were made, in their order; the last one is the plan. */
 struct PlanAttempt {
-  double margin = 0.0;      ///< PartChoice::margin, mm
-  double strip_width = 0.0; ///< strips beside keep-outs narrower than this are left out, point spacings; 0: none are
-  std::size_t cut = 0;      ///< how many of these strips are cut all the same
-  Diagnostic refusal;       ///< why it gave no path, and so why the next one was made; empty: it gave one
+  double margin = 0.0;          ///< PartChoice::margin, mm
+  double strip_width = 0.0;     ///< strips beside keep-outs narrower than this are left out, point spacings; 0: none are
+  std::vector<std::size_t> cut; ///< numbers of those of these strips that are cut all the same
+  Diagnostic refusal;           ///< why it gave no path, and so why the next one was made; empty: it gave one
 };
 
 /** A path, and what it was made from. Lengths in mm. */

@@ -47,6 +47,10 @@ public:
   /** Status of the last call of filter. */
   const Status& getStatus() const { return status_; }
 
+  /** If true, filter prints nothing to the console when it fails; false by default. The status is the same. */
+  void setQuiet(bool quiet) { quiet_ = quiet; }
+  bool getQuiet() const { return quiet_; } ///< The value of setQuiet.
+
 protected:
   explicit StatusFilter(bool extract_removed_indices) : pcl::FilterIndices<PointT>(extract_removed_indices) {}
 
@@ -77,7 +81,11 @@ protected:
 private:
   static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call {setInputCloud} with points"}; }
 
-  void tellFailure() const { PCL_ERROR("[pcl_spiral::%s::filter] %s\n", this->filter_name_.c_str(), status_.message().c_str()); }
+  void tellFailure() const
+  {
+    if (!quiet_)
+      PCL_ERROR("[pcl_spiral::%s::filter] %s\n", this->filter_name_.c_str(), status_.message().c_str());
+  }
 
   /** True if there is a cloud to filter; if not, sets the status. */
   bool hasCloud()
@@ -91,6 +99,7 @@ private:
   }
 
   Status status_;
+  bool quiet_ = false; ///< of setQuiet
 };
 
 } // namespace pcl_spiral
