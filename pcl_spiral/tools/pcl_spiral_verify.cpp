@@ -12,8 +12,6 @@
 #include "verify/scan_reference.h"
 #include "verify/verify_job.h"
 
-#include "verify/limit_verdicts.h"
-#include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -81,7 +79,8 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, con
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
   settings.tips = judged.tips;
-  settings.side = part.side;
+  settings.normals = part.side.normals;
+  settings.view_point = part.side.view_point;
   settings.part_at = part.chosen.part_at;
   settings.clusters = job.part.clusters;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
@@ -95,21 +94,11 @@ judge(const VerifyJob& job, const JudgedPart& part, const std::string& file, con
     throw Cancelled();
   if (!status.ok())
     throw FileError(file, status.diagnostic());
-  judged.verification.broken = brokenLimits(job.limits, judged.verification);
-  if (!job.limits.any() && !judged.verification.program) // the contacts of a program are the judge's own
-    for (const Diagnostic& fault : faultsOfPoses(judged.verification))
-      judged.verification.broken.push_back(fault);
-  const double allowed = gougeTolerance(settings.chord_error, reference->noise());
-  for (const Diagnostic& fault :
-       faultsBeside(part, reference->scanned(), judged.path, settings, allowed, judged.verification.removal.warnings))
-    judged.verification.broken.push_back(fault);
-  if (!job.raw_scan.empty()) {
-    const RawScanFigures raw = rawScanFigures(job.raw_scan, job.read, reference->scanned());
-    judged.verification.removal.warnings.push_back(smoothingText(raw, job.raw_scan));
-    if (const Diagnostic fault = faultInRaw(raw, judged.path, settings, job.limits.gouge.value_or(allowed)); !fault.empty())
-      judged.verification.broken.push_back(fault);
-  }
-  judged.verification.unproven = unprovenLimits(job.limits, judged.verification);
+  std::optional<RawScanFigures> raw;
+  if (!job.raw_scan.empty())
+    raw = rawScanFigures(job.raw_scan, job.read, reference->scanned());
+  const JudgedSurroundings around{part.chosen.keep_outs, part.chosen.kept_out, part.chosen.beside, part.mesh ? nullptr : part.whole};
+  addVerdicts(job.limits, around, *reference, judged.path, settings, raw ? &*raw : nullptr, job.raw_scan, judged.verification);
   return judged;
 }
 
@@ -139,7 +128,7 @@ double
 programLean(const VerifyJob& job, const std::string& file, const PartTool& tool)
 {
   const SpiralSettings usual;
-  const std::vector<JudgedPart> parts = readParts(job.scan, job.read, job.mesh, job.settings.side,
+  const std::vector<JudgedPart> parts = readParts(job.scan, job.read, job.mesh, job.settings.view_point,
                                                   {job.part, job.regions, tool, job.settings.flip_normals, job.settings.threads});
   if (parts.size() > 1)
     return usual.tilt_angle + usual.axis_deviation;
@@ -170,7 +159,7 @@ run(const VerifyJob& job)
   VerifyOutputs outputs(job);
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // errors are reported below, once
   const std::vector<JudgedPart> parts =
-      readParts(job.scan, job.read, job.mesh, job.settings.side,
+      readParts(job.scan, job.read, job.mesh, job.settings.view_point,
                 {job.part, job.regions, judgedTool(job), job.settings.flip_normals, job.settings.threads});
   for (const JudgedPart& part : parts)
     warn(job, part.warnings);

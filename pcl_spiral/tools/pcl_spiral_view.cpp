@@ -36,7 +36,7 @@ JudgedPart
 shownPart(const ViewJob& job)
 {
   const JudgedRegion asked{job.part, job.regions, {job.settings.cutter.radius, 0.0}, job.settings.flip_normals, job.settings.threads};
-  const JudgedPart part = readParts(job.scan, job.read, job.mesh, job.settings.side, asked).front();
+  const JudgedPart part = readParts(job.scan, job.read, job.mesh, job.settings.view_point, asked).front();
   if (!job.quiet)
     for (const Diagnostic& warning : part.warnings)
       std::cerr << "pcl_spiral_view: warning: " << inWords(warning) << '\n';
@@ -55,12 +55,13 @@ scanScene(const ViewJob& job)
 }
 
 VerificationScene
-judgedScene(const ViewJob& job)
+jobScene(const ViewJob& job)
 {
   const JudgedPart part = shownPart(job);
   JudgeSettings settings = job.settings;
   settings.mesh = part.mesh;
-  settings.side = part.side;
+  settings.normals = part.side.normals;
+  settings.view_point = part.side.view_point;
   settings.part_at = part.chosen.part_at;
   settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
   ToolpathFile read = readToolpath(job.path, scanShift());
@@ -102,7 +103,7 @@ run(const ViewJob& job)
 {
   requireWindow();
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
-  SpiralViewer viewer(job.path.empty() ? scanScene(job) : judgedScene(job));
+  SpiralViewer viewer(job.path.empty() ? scanScene(job) : jobScene(job));
   viewer.setFileCoordinates([&job](const Eigen::Vector3d& place) { return placeInFile(place, job.read); });
   viewer.setChoiceCallback(optionOf);
   viewer.setRemedy("Start again with the cutter's radius, such as --tool-radius 10 --scallop 0.05");

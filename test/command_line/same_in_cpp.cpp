@@ -5,9 +5,11 @@
 #include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/polygon_reader.h>
 #include <pcl_spiral/io/program_writer.h>
+#include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/planning/drive_planner.h>
+#include <pcl_spiral/planning/path_verifier.h>
 #include <pcl_spiral/planning/spiral_planner.h>
 #include <pcl_spiral/ridge/ridge_toolpath.h>
 
@@ -16,6 +18,7 @@
 #include "two_domes.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <functional>
 #include <sstream>
@@ -252,6 +255,45 @@ TEST_F(SameInCpp, DriveRefusesAlike)
   ASSERT_FALSE(planner.getStatus().diagnostic().places().empty());
   for (const Eigen::Vector3d& place : planner.getStatus().diagnostic().places())
     EXPECT_NE(result.err.find(placeText(place)), std::string::npos) << result.err;
+}
+
+TEST_F(SameInCpp, TheVerdictOnAPathThroughAKeepOut)
+{
+  ASSERT_EQ(
+      run(PCL_SPIRAL_TOOLPATH_PROGRAM, {"scan.xyz", "-o", "path.csv", "--tool-radius", "4", "--scallop", "0.05", "--part-at", "-75,0,4"})
+          .code,
+      0);
+  for (const bool kept_out : {false, true}) {
+    Arguments arguments{"scan.xyz", "path.csv", "--tool-radius", "4",           "--scallop", "0.05",        "--part-at",
+                        "-75,0,4",  "-o",       "v.json",        "--max-gouge", "0.02",      "--max-uncut", "0.5"};
+    if (kept_out)
+      arguments.insert(arguments.end(), {"--keep-out", "keep.txt"});
+    const RunResult result = run(PCL_SPIRAL_VERIFY_PROGRAM, arguments);
+    PathVerifier<pcl::PointXYZ> verifier;
+    verifier.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+    verifier.setPartAt(on_left);
+    if (kept_out)
+      verifier.addKeepOut(polygon("keep.txt"));
+    verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(readToolpath(folder_.path("path.csv")).path));
+    verifier.setCutter(CutterShape::ball(4.0));
+    verifier.setScallopHeight(0.05);
+    Limits limits;
+    limits.gouge = 0.02;
+    limits.uncut = 0.5;
+    verifier.setLimits(limits);
+    Verification found;
+    verifier.compute(found);
+    ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+    EXPECT_EQ(result.code == 0, found.broken.empty()) << result.err << textsOf(found.broken).size();
+    EXPECT_EQ(found.broken.empty(), !kept_out);
+    const nlohmann::json json = nlohmann::json::parse(readText(folder_.path("v.json")))["paths"][0];
+    EXPECT_EQ(json["deviation"]["rms"].get<double>(), found.deviation.rms);
+    EXPECT_EQ(json["deviation"]["max"]["value"].get<double>(), found.deviation.max.value);
+    EXPECT_EQ(json["material"]["gouge"]["value"].get<double>(), found.removal.gouge.value);
+    ASSERT_EQ(json["broken_limits"].size(), found.broken.size());
+    for (std::size_t i = 0; i < found.broken.size(); ++i)
+      EXPECT_EQ(json["diagnostics"]["broken_limits"][i]["id"], found.broken[i].id());
+  }
 }
 
 TEST_F(SameInCpp, ABeamOnARidge)

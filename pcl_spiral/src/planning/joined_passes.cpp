@@ -70,6 +70,7 @@ add(const LeftOutLocations& one, LeftOutLocations& all)
   all.beside += one.beside;
   all.deepest = std::max(all.deepest, one.deepest);
   all.deepest_beside = std::max(all.deepest_beside, one.deepest_beside);
+  all.contacts.insert(all.contacts.end(), one.contacts.begin(), one.contacts.end());
 }
 
 void

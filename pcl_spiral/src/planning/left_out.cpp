@@ -118,6 +118,7 @@ leaveOut(const PassSettings& settings, std::vector<ToolLocations>& located, Pass
       goes_on = known && !met.any();
       if (known && met.any()) {
         count(met, plan.left_out);
+        plan.left_out.contacts.push_back(pass[i].contact);
         pass[i].state = LocationState::NoCloud;
       }
     }

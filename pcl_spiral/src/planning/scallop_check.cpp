@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace pcl_spiral {
 
@@ -52,7 +53,25 @@ meshPlaces(unsigned int threads, const SurfaceMesh::ConstPtr& mesh, std::vector<
   return sampling.getStatus();
 }
 
-/** Places that the path is meant to cut: of a column, those between its first and last contact. */
+/** Takes away the places that locations which were left out would have cut: they are nearer to one of those than to any other. */
+void
+withoutLeftOut(const PassPlan& plan, std::vector<CutPlace>& places)
+{
+  if (plan.left_out.contacts.empty())
+    return;
+  std::vector<Eigen::Vector3f> left_out, cut;
+  for (const Vector3d& contact : plan.left_out.contacts)
+    left_out.push_back(contact.cast<float>());
+  for (const ToolPoses& pass : plan.passes)
+    for (const ToolPose& pose : pass)
+      cut.push_back(pose.contact.cast<float>());
+  const PointBlocks others(std::move(left_out)), own(std::move(cut));
+  const auto distance = [](const PointBlocks& points, const Vector3d& x) { return (points.position(points.nearest(x)) - x).norm(); };
+  const auto isLeftOut = [&](const CutPlace& place) { return distance(others, place.x) < distance(own, place.x); };
+  places.erase(std::remove_if(places.begin(), places.end(), isLeftOut), places.end());
+}
+
+/** Places that the path is meant to cut: not those of locations left out, and of a column those between its first and last contact. */
 Status
 meantPlaces(const DrivePlanInput& input, const PassPlan& plan, std::vector<CutPlace>& places)
 {
@@ -60,6 +79,7 @@ meantPlaces(const DrivePlanInput& input, const PassPlan& plan, std::vector<CutPl
     places = scanPlaces(*plan.surface);
   else if (const Status status = meshPlaces(input.surface.threads, plan.mesh, places); !status.ok())
     return status;
+  withoutLeftOut(plan, places);
   if (!input.drive.goesRound())
     return Status::success();
   const Vector3d& up = plan.drive.column->cylinder.direction;

@@ -6,7 +6,7 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 
-#include "verify/verification.h"
+#include <pcl_spiral/verify/verification.h>
 
 namespace pcl_spiral {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "verify/verification.h"
+#include <pcl_spiral/verify/verification.h>
 
 #include <algorithm>
 

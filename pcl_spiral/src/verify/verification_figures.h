@@ -5,7 +5,7 @@
 #pragma once
 
 #include "verify/figure_table.h"
-#include "verify/verification.h"
+#include <pcl_spiral/verify/verification.h>
 
 namespace pcl_spiral {
 

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "verify/verification.h"
+#include <pcl_spiral/verify/verification.h>
 
 /** Figures with their places, then the limits that are broken or not shown to hold. */
 void printFigures(const pcl_spiral::Verification& verification);

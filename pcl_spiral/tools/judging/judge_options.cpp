@@ -133,7 +133,7 @@ cutterOptions(const po::variables_map& given)
       number = numberValue(name, text(name));
   };
   if (given.count("view-point") > 0)
-    settings.side = {nullptr, placeValue("view-point", text("view-point")), true};
+    settings.view_point = placeValue("view-point", text("view-point"));
   read("tool-radius", settings.cutter.radius);
   read("corner-radius", settings.cutter.corner_radius);
   read("flank-length", settings.cutter.flank_length);

@@ -6,8 +6,8 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 
-#include "judge.h"
 #include "terminal/region_choice.h"
+#include <pcl_spiral/planning/impl/path_judging.h>
 
 #include <pcl_spiral/io/cloud_reader.h>
 
@@ -52,7 +52,7 @@ std::optional<MeshChoice> meshOptions(const boost::program_options::variables_ma
 
 /** Cutter, finish and --threads; the radius of the cutter is 0 if it is not given. \throw UsageError if values do not fit each
  * other */
-JudgeSettings cutterOptions(const boost::program_options::variables_map& given);
+pcl_spiral::JudgeSettings cutterOptions(const boost::program_options::variables_map& given);
 
 /** \throw UsageError with \p message unless \p holds */
 void require(bool holds, const pcl_spiral::Diagnostic& message);

@@ -45,7 +45,7 @@ judgedScene(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Poi
   scene.part.settings.tool_radius = settings.cutter.radius;
   scene.part.settings.scallop_height = settings.scallop_height;
   scene.part.settings.chord_error = settings.chord_error;
-  scene.part.settings.view_point = settings.side.view_point;
+  scene.part.settings.view_point = settings.view_point;
   scene.part.settings.flip_normals = settings.flip_normals;
   scene.part.report = reportOf(*path, settings, surface, verification.removal);
   scene.deviation = heights.deviation;

@@ -3,22 +3,16 @@
 
 #include "terminal/scan_places.h"
 
-#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/planning/impl/path_judging.h>
 
 using namespace pcl_spiral;
 
 RawScanFigures
 rawScanFigures(const std::string& file, const ReadOptions& read, const Surface& smoothed)
 {
-  const Scan raw = readCloud(file, readAsScan(read));
-  std::vector<Eigen::Vector3f> points;
-  for (const pcl::PointXYZ& p : *raw.cloud)
-    points.push_back(p.getVector3fMap());
-  RawScanFigures figures = compareWithRaw(smoothed, points);
-  if (points.empty() || 2 * figures.points < points.size())
-    throw FileError(file, Diagnostic(points.size() - figures.points, " of ", points.size(),
-                                     " points of this raw scan have no smoothed surface near: is it another part, another unit, or are its "
-                                     "columns others?"));
+  RawScanFigures figures;
+  if (const Status status = compareRawScan(*readCloud(file, readAsScan(read)).cloud, smoothed, figures); !status.ok())
+    throw FileError(file, status.diagnostic());
   return figures;
 }

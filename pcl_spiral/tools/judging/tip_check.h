@@ -6,9 +6,9 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 
-#include "verify/verification.h"
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/io/toolpath_reader.h>
+#include <pcl_spiral/verify/verification.h>
 
 /** Counts the tips of a ball that differ from the tip at their contact, and those of another cutter whose side is not at their contact.
  *  Files without tips pass. \return a warning, empty if all tips are right */

@@ -10,9 +10,9 @@
 
 #include "option_table.h"
 
-#include "verify/verification.h"
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_report.h>
+#include <pcl_spiral/verify/verification.h>
 
 #include <Eigen/Core>
 

@@ -8,7 +8,7 @@
 #include "terminal/option_table.h"
 #include "terminal/region_choice.h"
 #include "terminal/scan_places.h"
-#include "verify/verification.h"
+#include <pcl_spiral/verify/verification.h>
 
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/io/cloud_reader.h>

@@ -7,8 +7,8 @@
 #include <pcl_spiral/core/diagnostic.h>
 
 #include "job.h"
-#include "judging/judge.h"
 #include "terminal/scan_side.h"
+#include <pcl_spiral/planning/impl/path_judging.h>
 
 #include "io/output_files.h"
 #include "verify/stock_mesh.h"
@@ -29,7 +29,7 @@ struct RegionLinks {
 /** What judging a path gave. */
 struct Judged {
   std::optional<pcl_spiral::Verification> verification; ///< if the path was judged
-  Heights heights;                                      ///< the values behind it
+  pcl_spiral::Heights heights;                          ///< the values behind it
   pcl_spiral::StockMesh left;                           ///< the surface after cutting, with --stock
 };
 

@@ -31,8 +31,8 @@ judgeOne(const Job& job, const ScanSide& side, SpiralPlan& plan, Judged& judged)
   settings.cutter = CutterShape::ball(s.tool_radius);
   settings.scallop_height = s.scallop_height;
   settings.chord_error = s.chord_error;
-  settings.side = side;
-  settings.side.normals = plan.normals;
+  settings.normals = plan.normals;
+  settings.view_point = side.view_point;
   settings.part_at = plan.settings.part_at;
   settings.flip_normals = s.flip_normals;
   settings.clusters = judgedClusters(job.part);

@@ -17,7 +17,7 @@ struct JudgedPath {
   std::vector<double> feed;  ///< mm/min; empty if its file has none
   pcl_spiral::Polyline tips; ///< of a cutter that is no ball; empty: from its contacts
   pcl_spiral::Verification verification;
-  Heights heights;
+  pcl_spiral::Heights heights;
 };
 
 /** Collects the results of each path, then writes the files. */

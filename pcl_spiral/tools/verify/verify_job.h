@@ -4,14 +4,14 @@
  */
 #pragma once
 
-#include "judging/judge.h"
 #include "judging/judge_options.h"
 #include "report/picture_files.h"
 #include "terminal/region_choice.h"
+#include <pcl_spiral/planning/impl/path_judging.h>
 
-#include "verify/verification.h"
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/program_writer.h>
+#include <pcl_spiral/verify/verification.h>
 
 #include <ostream>
 #include <string>
@@ -31,7 +31,7 @@ struct VerifyJob {
   RegionChoice regions;                       ///< of the scan
   std::string machine_file;                   ///< of programs; empty: none
   std::optional<pcl_spiral::Dialect> dialect; ///< of .nc programs; absent: found from their words
-  JudgeSettings settings;
+  pcl_spiral::JudgeSettings settings;
   pcl_spiral::Limits limits;
   bool quiet = false;
   bool help = false;

@@ -4,8 +4,8 @@
  */
 #pragma once
 
-#include "judging/judge.h"
 #include "judging/judge_options.h"
+#include <pcl_spiral/planning/impl/path_judging.h>
 
 #include <pcl_spiral/io/cloud_reader.h>
 
@@ -16,10 +16,10 @@
 struct ViewJob {
   std::string scan, path; ///< path empty: the scan alone
   pcl_spiral::ReadOptions read;
-  std::optional<MeshChoice> mesh; ///< absent: the first file is a scan
-  PartOptions part;               ///< of the scan
-  RegionChoice regions;           ///< at most one
-  JudgeSettings settings;         ///< cutter with radius 0: not given
+  std::optional<MeshChoice> mesh;     ///< absent: the first file is a scan
+  PartOptions part;                   ///< of the scan
+  RegionChoice regions;               ///< at most one
+  pcl_spiral::JudgeSettings settings; ///< cutter with radius 0: not given
   bool quiet = false;
   bool help = false;
   bool version = false;

@@ -31,7 +31,7 @@ namespace pcl_spiral {
  *  A surface (setInputSurface) is refused: it has no scan beside it. The same input gives the same bytes for any number of threads.
  */
 template <typename PointT>
-class DrivePlanner : public PartInput<DriveInput<PointT>> {
+class DrivePlanner : public HolderInput<DriveInput<PointT>> {
 public:
   using Ptr = pcl::shared_ptr<DrivePlanner>;            ///< A shared pointer.
   using ConstPtr = pcl::shared_ptr<const DrivePlanner>; ///< A shared pointer to a constant one.

@@ -14,7 +14,7 @@
 
 namespace pcl_spiral {
 
-/** Adds the choice of the part, and the holder, to \p BaseT, a SurfaceInput. Base of SpiralPlanner and DrivePlanner. Lengths in mm. */
+/** Adds the choice of the part to \p BaseT, a SurfaceInput. Base of all planners, and of PathVerifier. Lengths in mm. */
 template <typename BaseT>
 class PartInput : public BaseT {
 public:
@@ -34,17 +34,6 @@ public:
   }
   const PartChoice& getPartChoice() const { return choice_; }            ///< Crops and keep-outs.
   const std::vector<PlanRegion>& getRegions() const { return regions_; } ///< Those of addRegion.
-
-  /** The holder above the cutter, from the cutter upwards. Its way, and that of the shank below it, is checked against the whole scan or
-   *  mesh. Empty by default. */
-  void setHolder(const std::vector<ToolSegment>& segments) { holder_ = segments; }
-  const std::vector<ToolSegment>& getHolder() const { return holder_; } ///< The value of setHolder.
-  /** Distance that the holder keeps, mm; 0 by default. */
-  void setHolderClearance(double clearance) { holder_clearance_ = clearance; }
-  double getHolderClearance() const { return holder_clearance_; } ///< The value of setHolderClearance.
-  /** Collisions of shank and holder are only warnings; off by default. */
-  void setAcceptCollisions(bool accept) { accept_collisions_ = accept; }
-  bool getAcceptCollisions() const { return accept_collisions_; } ///< The value of setAcceptCollisions.
 
 protected:
   /** \p cloud as a cloud of \p Other; null if it is. */
@@ -73,6 +62,24 @@ protected:
 
   PartChoice choice_;               ///< of setCropBox, setCrop and addKeepOut
   std::vector<PlanRegion> regions_; ///< of addRegion
+};
+
+/** Adds the holder to PartInput. Base of SpiralPlanner and DrivePlanner. */
+template <typename BaseT>
+class HolderInput : public PartInput<BaseT> {
+public:
+  /** The holder above the cutter, from the cutter upwards. Its way, and that of the shank below it, is checked against the whole scan or
+   *  mesh. Empty by default. */
+  void setHolder(const std::vector<ToolSegment>& segments) { holder_ = segments; }
+  const std::vector<ToolSegment>& getHolder() const { return holder_; } ///< The value of setHolder.
+  /** Distance that the holder keeps, mm; 0 by default. */
+  void setHolderClearance(double clearance) { holder_clearance_ = clearance; }
+  double getHolderClearance() const { return holder_clearance_; } ///< The value of setHolderClearance.
+  /** Collisions of shank and holder are only warnings; off by default. */
+  void setAcceptCollisions(bool accept) { accept_collisions_ = accept; }
+  bool getAcceptCollisions() const { return accept_collisions_; } ///< The value of setAcceptCollisions.
+
+protected:
   std::vector<ToolSegment> holder_; ///< of setHolder
   double holder_clearance_ = 0.0;   ///< of setHolderClearance
   bool accept_collisions_ = false;  ///< of setAcceptCollisions

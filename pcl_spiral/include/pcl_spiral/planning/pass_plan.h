@@ -48,6 +48,7 @@ struct LeftOutLocations {
   double deepest_beside = 0.0;                            ///< of beside
   Eigen::Vector3d first = Eigen::Vector3d::Zero();        ///< place touched, of touching
   Eigen::Vector3d first_beside = Eigen::Vector3d::Zero(); ///< place touched, of beside
+  std::vector<Eigen::Vector3d> contacts;                  ///< of all locations left out
 
   std::size_t count() const { return entering + touching + beside; } ///< All of them.
 };

@@ -37,7 +37,7 @@ namespace pcl_spiral {
  *  The same input gives the same bytes for any number of threads.
  */
 template <typename PointInT, typename PointNT = pcl::Normal>
-class SpiralPlanner : public PartInput<SpiralInput<PointInT, PointNT>> {
+class SpiralPlanner : public HolderInput<SpiralInput<PointInT, PointNT>> {
 public:
   using Ptr = pcl::shared_ptr<SpiralPlanner>;            ///< A shared pointer.
   using ConstPtr = pcl::shared_ptr<const SpiralPlanner>; ///< A shared pointer to a constant one.

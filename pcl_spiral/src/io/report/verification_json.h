@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "verify/verification.h"
+#include <pcl_spiral/verify/verification.h>
 
 #include <nlohmann/json.hpp>
 

@@ -7,10 +7,10 @@
 #include <pcl_spiral/core/diagnostic.h>
 
 #include "report_page.h"
-#include "verify/verification.h"
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/verify/verification.h>
 
 #include <optional>
 #include <string>

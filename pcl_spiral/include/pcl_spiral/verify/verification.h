@@ -20,7 +20,8 @@ struct Limits {
   std::optional<double> scallop;   ///< mm
   std::optional<double> deviation; ///< mm
   std::optional<double> uncut;     ///< percent of the reference points
-  bool any() const { return gouge || scallop || deviation || uncut; }
+
+  bool any() const { return gouge || scallop || deviation || uncut; } ///< Whether there is a limit.
 };
 
 /** What is known of a machine program apart from its path. */
@@ -36,17 +37,17 @@ struct ProgramFigures {
 
 /** A toolpath's figures. */
 struct Verification {
-  std::string path;   ///< file name; empty for one that has just been made
-  std::string region; ///< of the scan, to which these passes belong; empty: it has only one
-  DeviationFigures deviation;
-  RemovalFigures removal;
+  std::string path;                      ///< file name; empty for one that has just been made
+  std::string region;                    ///< of the scan, to which these passes belong; empty: it has only one
+  DeviationFigures deviation;            ///< of the contacts from the surface
+  RemovalFigures removal;                ///< of what the cutter leaves and cuts
   std::size_t tips_off = 0;              ///< points whose tool tip in the file is not that of the cutter at their contact
   PlacedValue tip_error;                 ///< the farthest of them, mm
-  Diagnostics broken;                    ///< limits that do not hold, in words; see brokenLimits
+  Diagnostics broken;                    ///< limits that do not hold, in words; see Limits
   OuterSide side;                        ///< of the reference: what decided it
   std::optional<ProgramFigures> program; ///< absent: a path
   double seconds = 0.0;                  ///< of judging, and of making the reference surface if this path was the first
-  Diagnostics unproven;                  ///< limits that the noise is too large for, in words; see unprovenLimits
+  Diagnostics unproven;                  ///< limits that the noise is too large for, in words
 };
 
 /** File and region. */
