@@ -126,6 +126,8 @@ planRegion(const DrivePlanInput& input, const PartChoice& choice, const Progress
   else if (const Status status = locateCutter(input.tool, surface, passes, partOf(progress, drive_share, 1.0), plan, located); !status.ok())
     return status;
   clock.end("locations");
+  plan.tool = toolOf(input.tool, plan);
+  plan.gouges_checked = input.check_gouges;
   leaveOut(input.tool, located, plan);
   if (const Status status = checkCollisions(input.tool, located); !status.ok())
     return status;
@@ -135,7 +137,7 @@ planRegion(const DrivePlanInput& input, const PartChoice& choice, const Progress
   if (plan.passes.empty())
     return {StatusCode::Failed, "no pass has two cutter locations over the part; check the drive path and the tool axis"};
   if (!input.tool.holder.empty())
-    if (const Status status = checkToolWay(wayOf(plan, input.tool), plan.passes, plan.warnings); !status.ok())
+    if (const Status status = checkToolWay(wayOf(plan), plan.passes, plan.warnings); !status.ok())
       return status;
   if (input.drive.goesRound())
     warnOfEnds(input, located, plan);

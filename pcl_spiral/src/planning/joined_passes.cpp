@@ -112,6 +112,7 @@ joinPasses(const std::vector<PassPlan>& regions, PassPlan& all)
     if (&region == &regions.front())
       continue;
     all.length += region.length;
+    all.tool.tolerance = std::max(all.tool.tolerance, region.tool.tolerance);
     all.off_scan += region.off_scan;
     add(region.drive, all.drive);
     add(region.locations, all.locations);

@@ -3,6 +3,7 @@
 
 #include "planning/joined_report.h"
 #include "planning/plan_regions.h"
+#include <pcl_spiral/collision/impl/way_check.h>
 
 #include <pcl/common/point_tests.h>
 
@@ -101,6 +102,8 @@ joinPlans(std::vector<SpiralPlan> regions, SpiralPlan& all)
   }
   all.cloud = cloud;
   all.report = joinedReport(regions, *all.path);
+  all.tool = regions.front().tool;
+  all.tool.tolerance = gougeTolerance(all.settings.chord_error, all.report.noise);
   all.regions = std::move(regions);
   return Status::success();
 }

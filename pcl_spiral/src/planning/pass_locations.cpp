@@ -18,6 +18,13 @@ locationsWere(std::size_t count)
 
 } // namespace
 
+LedTool
+toolOf(const PassSettings& settings, const PassPlan& plan)
+{
+  return {settings.cutter,  settings.holder,           settings.holder_clearance, settings.tolerance + plan.locations.noise_allowance,
+          settings.threads, settings.accept_collisions};
+}
+
 Status
 locateCutter(const PassSettings& settings, const SurfaceSettings& surface, const DrivePasses& passes, const ProgressCallback& progress,
              PassPlan& plan, std::vector<ToolLocations>& located)

@@ -27,6 +27,9 @@ setPart(const PassPlan& plan, const SurfaceSettings& settings, Stage& stage)
   stage.setThinning(settings.thinning);
 }
 
+/** The tool of \p settings on passes whose locations are known. */
+LedTool toolOf(const PassSettings& settings, const PassPlan& plan);
+
 /** Puts the cutter on the part of \p plan along \p passes. Fails as CutterLocation. */
 Status locateCutter(const PassSettings& settings, const SurfaceSettings& surface, const DrivePasses& passes,
                     const ProgressCallback& progress, PassPlan& plan, std::vector<ToolLocations>& located);

@@ -178,8 +178,7 @@ checkHolder(const PlanInput& input, const ProgressCallback& progress, SpiralPlan
   if (input.holder.empty())
     return {Status::success()};
   StageClock clock(plan.report.stages);
-  ToolWay way = wayOf(plan, toolOf(plan, input.flank_length, input.holder, input.holder_clearance));
-  way.accepted = input.accept_collisions;
+  ToolWay way = wayOf(plan);
   way.progress = progress;
   const Status status = checkToolWay(way, ballPasses(*plan.path, plan.settings.tool_radius), plan.report.warnings);
   clock.end("holder");
@@ -200,6 +199,8 @@ attempt(const PlanInput& input, const PartChoice& choice, const StripChoice& str
   if (AttemptResult result = generate(input, progress, plan); !result.status.ok())
     return result;
   plan.settings.flip_normals = input.settings.flip_normals;
+  plan.tool = {CutterShape::ball(plan.settings.tool_radius, input.flank_length), input.holder,          input.holder_clearance,
+               gougeTolerance(plan.settings.chord_error, plan.report.noise),     plan.settings.threads, input.accept_collisions};
   if (AttemptResult result = checkHolder(input, progress, plan); !result.status.ok())
     return result;
   SpiralReport& report = plan.report;

@@ -2,7 +2,6 @@
 #include "planning/tool_way.h"
 
 #include <pcl_spiral/collision/impl/false_echoes.h>
-#include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/verify/holder_check.h>
 
@@ -120,7 +119,7 @@ check(const ToolWay& asked, const Way& way, Diagnostics& warnings)
     return Status::success();
   if (obstacles.collided == 0)
     warnings.push_back(collisionText(asked.tool, all.deepest) + counted(all) + only_echoes);
-  else if (asked.accepted)
+  else if (asked.tool.accepted)
     warnings.push_back(collisionText(asked.tool, obstacles.deepest) + counted(obstacles));
   else
     return {StatusCode::Failed,
@@ -141,23 +140,11 @@ collisionText(const LedTool& tool, const LeadCollision& collision)
                     Place(collision.place), ", the tip at ", Place(collision.tip));
 }
 
-LedTool
-toolOf(const SpiralPlan& plan, double flank_length, const std::vector<ToolSegment>& holder, double clearance)
-{
-  LedTool tool;
-  tool.cutter = CutterShape::ball(plan.settings.tool_radius, flank_length);
-  tool.holder = holder;
-  tool.holder_clearance = clearance;
-  tool.tolerance = gougeTolerance(plan.settings.chord_error, plan.report.noise);
-  tool.threads = plan.settings.threads;
-  return tool;
-}
-
 ToolWay
-wayOf(const SpiralPlan& plan, const LedTool& tool)
+wayOf(const SpiralPlan& plan)
 {
   ToolWay way;
-  way.tool = tool;
+  way.tool = plan.tool;
   way.mesh = plan.whole_mesh;
   if (!way.mesh)
     way.points = obstaclesOf(plan);
@@ -167,16 +154,14 @@ wayOf(const SpiralPlan& plan, const LedTool& tool)
 }
 
 ToolWay
-wayOf(const PassPlan& plan, const PassSettings& settings)
+wayOf(const PassPlan& plan)
 {
   ToolWay way;
-  way.tool = {settings.cutter, settings.holder, settings.holder_clearance, settings.tolerance + plan.locations.noise_allowance,
-              settings.threads};
+  way.tool = plan.tool;
   way.mesh = plan.mesh;
   if (!way.mesh)
     way.points = obstaclesOf(plan);
   way.remedy = "use a longer or thinner tool, another axis";
-  way.accepted = settings.accept_collisions;
   return way;
 }
 

@@ -9,6 +9,7 @@
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/planning/led_tool.h>
 #include <pcl_spiral/planning/pass_plan.h>
 #include <pcl_spiral/planning/spiral_plan.h>
 #include <pcl_spiral/verify/figures.h>
@@ -21,22 +22,12 @@
 
 namespace pcl_spiral {
 
-/** What is led through the air, and by how much it may touch. Lengths in mm. */
-struct LedTool {
-  CutterShape cutter;
-  std::vector<ToolSegment> holder;
-  double holder_clearance = 0.0;
-  double tolerance = 0.05;
-  unsigned int threads = 0;
-};
-
 /** What is checked, and what is done about a collision. */
 struct ToolWay {
   LedTool tool;                                    ///< its shank and holder
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr points; ///< everything that the scan has
   SurfaceMesh::ConstPtr mesh;                      ///< instead of points
   Diagnostic remedy;                               ///< for messages
-  bool accepted = false;                           ///< a collision is only a warning
   ProgressCallback progress;                       ///< may be empty
 };
 
@@ -47,15 +38,11 @@ Diagnostic collisionText(const LedTool& tool, const LeadCollision& collision);
 constexpr const char* only_echoes =
     ": only single points off the scanned surface are there, usually false echoes; check that nothing else is there";
 
-/** The tool of \p plan, and how deep a point of the scan may be in it. */
-LedTool toolOf(const SpiralPlan& plan, double flank_length, const std::vector<ToolSegment>& holder, double clearance);
+/** The way of the tool of \p plan, against the whole mesh, or the whole scan without the clusters that are left out as false echoes. */
+ToolWay wayOf(const SpiralPlan& plan);
 
-/** The way of \p tool over \p plan, against the whole mesh, or the whole scan without the clusters that are left out as false echoes. */
-ToolWay wayOf(const SpiralPlan& plan, const LedTool& tool);
-
-/** The way of the tool of \p settings over \p plan, against the mesh, or the points that the cutter stays off and those that were left out
- *  by their place. */
-ToolWay wayOf(const PassPlan& plan, const PassSettings& settings);
+/** The same, against the mesh, or the points that the cutter stays off and those that were left out by their place. */
+ToolWay wayOf(const PassPlan& plan);
 
 /** Looks at the moves of \p passes, straight from pose to pose. Where only single points off the scan's surface are in their way, or
  *  collisions are accepted, that goes to \p warnings; else it is Failed with the deepest place. */

@@ -36,15 +36,12 @@ curveOf(const Job& job, Diagnostics& warnings)
 
 /** A part smaller than the cutter is probably in another unit. */
 void
-requireLargerThanCutter(const Job& job, const pcl::PolygonMesh& mesh)
+requireLargerThanCutter(const Job& job, const SurfaceMesh& mesh)
 {
-  pcl::PointCloud<pcl::PointXYZ> points;
-  pcl::fromPCLPointCloud2(mesh.cloud, points);
   Eigen::AlignedBox3d box;
-  for (const pcl::PointXYZ& p : points)
-    if (pcl::isFinite(p))
-      box.extend(p.getVector3fMap().cast<double>());
-  if (!box.isEmpty() && box.diagonal().norm() < job.cutter.radius)
+  for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
+    box.extend(mesh.position(v));
+  if (box.diagonal().norm() < job.cutter.radius)
     throw FileError(job.scan, Diagnostic("the mesh, from ", Place(box.min()), " to ", Place(box.max()),
                                          ", is smaller than the cutter's radius of ", job.cutter.radius,
                                          " mm: is it in another unit? Give the unit, such as --units m, or a smaller --tool-radius"));
@@ -55,10 +52,11 @@ readMeshPart(const Job& job, Planner& planner, Result& result)
 {
   const MeshFile file = readMesh(job.scan, job.read);
   setScanFrame(file.shift, job.read);
-  requireLargerThanCutter(job, *file.mesh);
   result.warnings = file.warnings;
-  planner.setMeshSettings(job.mesh_settings);
-  planner.setInputMesh(file.mesh);
+  SurfaceMesh::ConstPtr mesh;
+  require(job.scan, SurfaceMesh::make(*file.mesh, job.mesh_settings, mesh));
+  requireLargerThanCutter(job, *mesh);
+  planner.setInputMesh(mesh);
   planner.setSampleMesh(hasLeads(job.program, job.outputs));
   planner.setGougeCheck(!job.no_gouge_check);
 }

@@ -11,15 +11,6 @@
 
 using namespace pcl_spiral;
 
-std::vector<ToolMoves>
-exchangeMoves(const ProgramJob& job, double feed, double ball_radius, const std::vector<ToolPoses>& passes)
-{
-  ProgramSettings settings = job.settings;
-  settings.feed = feed;
-  settings.ball_radius = ball_radius;
-  return ledPasses(passes, settings);
-}
-
 void
 printFrames(const ProgramJob& job, const std::vector<ToolMoves>& moves, const std::vector<std::string>& outputs)
 {

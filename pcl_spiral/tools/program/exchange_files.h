@@ -19,10 +19,6 @@ struct ExchangePath {
   std::vector<pcl_spiral::ToolMoves> moves; ///< of the passes, with their leads
 };
 
-/** Adds leads to \p passes with the settings of \p job. \p ball_radius: 0 for other cutters */
-std::vector<pcl_spiral::ToolMoves> exchangeMoves(const ProgramJob& job, double feed, double ball_radius,
-                                                 const std::vector<pcl_spiral::ToolPoses>& passes);
-
 /** Prints by how much the x of the robot frames of \p moves turns, if one of \p outputs has robot frames. */
 void printFrames(const ProgramJob& job, const std::vector<pcl_spiral::ToolMoves>& moves, const std::vector<std::string>& outputs);
 

@@ -17,44 +17,6 @@
 
 using namespace pcl_spiral;
 
-namespace {
-
-constexpr double least_named = 0.001; // degrees that an axis is blended by: at the pole an upright tool keeps it
-
-/** Adds the warnings about the program. */
-Diagnostics
-warningsOf(const MachineProgram& program)
-{
-  const ProgramReport& report = program.report;
-  const char first = program.machine.rotary[0].letter;
-  Diagnostics warnings;
-  if (!report.poles.empty()) {
-    const auto less = [](const PoleZone& a, const PoleZone& b) { return a.largest_change < b.largest_change; };
-    const PoleZone& most = *std::max_element(report.poles.begin(), report.poles.end(), less);
-    const Diagnostic where = report.poles.size() == 1 ? Diagnostic("from ") : Diagnostic("in ", report.poles.size(), " places, most from ");
-    const double degrees = most.largest_change * in_degrees;
-    warnings.push_back(Diagnostic("near the pole, ", first, " would turn faster than its limit: the tool axis was blended ", where,
-                                  most.begin, " to ", most.end, " mm of the path, ",
-                                  degrees < least_named ? Diagnostic("by less than ", least_named) : Diagnostic("by up to ", degrees),
-                                  " degrees"));
-  }
-  if (const std::size_t by_axis = report.slowed_blocks - report.tool_slowed_blocks; by_axis > 0)
-    warnings.push_back(Diagnostic(by_axis, " of ", report.cut_blocks, by_axis == 1 ? " blocks runs below" : " blocks run below",
-                                  " the feed because of the rate limit of an axis, the slowest at ", 100.0 * report.least_feed_share,
-                                  " % of it, at ", report.least_feed_at, " mm of the path"));
-  if (report.tool_slowed_blocks > 0)
-    warnings.push_back(Diagnostic(report.tool_slowed_blocks, " of ", report.cut_blocks,
-                                  report.tool_slowed_blocks == 1 ? " blocks runs below" : " blocks run below",
-                                  " the feed because the tool moves more than twice as far as its contact; it keeps to twice "
-                                  "the feed"));
-  if (!report.unwound_at.empty())
-    warnings.push_back(Diagnostic("the tool leaves the surface ", report.unwound_at.size(), " times so that ", first,
-                                  " can unwind at its limit, first at ", report.unwound_at.front(), " mm of the path"));
-  return warnings;
-}
-
-} // namespace
-
 std::optional<Machine>
 machineOf(const ProgramJob& program, const std::vector<std::string>& outputs)
 {
@@ -69,32 +31,65 @@ machineOf(const ProgramJob& program, const std::vector<std::string>& outputs)
   return machine;
 }
 
-MachineProgram
-makeProgram(const ProgramJob& job, const Machine& machine, double feed, double ball_radius, const std::vector<ToolPoses>& passes,
-            const std::vector<std::size_t>& retracted, Diagnostics& warnings)
+namespace {
+
+/** Runs \p planner for \p made. */
+template <typename Made>
+void
+run(bool quiet, ProgramPlanner& planner, Made& made)
 {
-  MachineProgramGenerator generator;
-  generator.setMachine(machine);
-  ProgramSettings settings = job.settings;
-  settings.feed = feed;
-  settings.ball_radius = ball_radius;
-  generator.setSettings(settings);
-  generator.setInputPasses(passes);
-  generator.setRetractedPasses(retracted);
+  ProgressBar bar(quiet);
+  planner.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
+  planner.compute(made);
+  bar.clear();
+}
+
+/** Refuses what \p planner refused. \throw FileError about the machine's \p machine file, or about \p file; Cancelled */
+void
+requireMade(const std::string& machine, const std::string& file, const ProgramPlanner& planner)
+{
+  const Status& status = planner.getStatus();
+  if (status.code() == StatusCode::Cancelled || cancelled())
+    throw Cancelled();
+  if (!status.ok())
+    throw FileError(planner.isMachineFault() ? machine : file, status.diagnostic());
+}
+
+} // namespace
+
+MachineProgram
+plannedProgram(const ProgramJob& job, const Machine& machine, const std::string& file, bool quiet, ProgramPlanner& planner,
+               Diagnostics& warnings)
+{
   MachineProgram program;
-  generator.compute(program);
-  if (!generator.getStatus().ok())
-    throw FileError(job.machine_file.empty() ? machine.name : job.machine_file, generator.getStatus().diagnostic());
+  planner.setMachine(machine);
+  run(quiet, planner, program);
+  requireMade(job.machine_file.empty() ? machine.name : job.machine_file, file, planner);
   if (job.machine_file.empty())
     warnings.push_back("no --machine is given: the program is for LinuxCNC's xyzac-trt-kins with all offsets zero and both "
                        "rotary axes at up to 30 rev/min; no limits are checked");
-  if (!machine.retract_z)
-    warnings.push_back(Diagnostic(machine.name,
-                                  ": no retract_z is given (a machine Z that is clear of everything): the program turns the rotary axes "
-                                  "and goes to its first point from the tool's present position; start it above the part"));
-  for (const Diagnostic& warning : warningsOf(program))
-    warnings.push_back(warning);
+  warnings.insert(warnings.end(), planner.getWarnings().begin(), planner.getWarnings().end());
   return program;
+}
+
+std::vector<ToolMoves>
+plannedMoves(const std::string& file, bool quiet, ProgramPlanner& planner, Diagnostics& warnings)
+{
+  std::vector<ToolMoves> moves;
+  run(quiet, planner, moves);
+  requireMade(file, file, planner);
+  warnings.insert(warnings.end(), planner.getWarnings().begin(), planner.getWarnings().end());
+  return moves;
+}
+
+PassLinks
+plannedLinks(const std::string& file, bool quiet, ProgramPlanner& planner, Diagnostics& warnings)
+{
+  PassLinks links;
+  run(quiet, planner, links);
+  requireMade(file, file, planner);
+  warnings.insert(warnings.end(), planner.getWarnings().begin(), planner.getWarnings().end());
+  return links;
 }
 
 Diagnostics

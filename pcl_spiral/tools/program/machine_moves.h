@@ -4,9 +4,9 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/diagnostic.h>
-
 #include "program_job.h"
+
+#include <pcl_spiral/planning/program_planner.h>
 
 #include <optional>
 #include <string>
@@ -15,11 +15,18 @@
 /** The machine of a job, if one of the \p outputs needs it. \throw pcl_spiral::FileError, also if it cannot run the language of one */
 std::optional<pcl_spiral::Machine> machineOf(const ProgramJob& program, const std::vector<std::string>& outputs);
 
-/** Makes the program of the passes on \p machine and adds its warnings to \p warnings. \p ball_radius: 0 for other
- *  cutters. \p retracted: the passes to which no link goes. \throw pcl_spiral::FileError if the machine cannot make the moves */
-pcl_spiral::MachineProgram makeProgram(const ProgramJob& job, const pcl_spiral::Machine& machine, double feed, double ball_radius,
-                                       const std::vector<pcl_spiral::ToolPoses>& passes, const std::vector<std::size_t>& retracted,
-                                       pcl_spiral::Diagnostics& warnings);
+/** The program of \p planner on \p machine, with its warnings. \p file is for messages about the part. \throw pcl_spiral::FileError if the
+ *  machine cannot make the moves, or if the tool would touch the scan; Cancelled */
+pcl_spiral::MachineProgram plannedProgram(const ProgramJob& job, const pcl_spiral::Machine& machine, const std::string& file, bool quiet,
+                                          pcl_spiral::ProgramPlanner& planner, pcl_spiral::Diagnostics& warnings);
+
+/** The moves of \p planner with leads, for CLDATA and robot frames. \throw as plannedProgram */
+std::vector<pcl_spiral::ToolMoves> plannedMoves(const std::string& file, bool quiet, pcl_spiral::ProgramPlanner& planner,
+                                                pcl_spiral::Diagnostics& warnings);
+
+/** The links between the passes of \p planner. \throw as plannedProgram */
+pcl_spiral::PassLinks plannedLinks(const std::string& file, bool quiet, pcl_spiral::ProgramPlanner& planner,
+                                   pcl_spiral::Diagnostics& warnings);
 
 /** What a program says of its path: comments, and the chord error to which the control may round corners, mm. */
 struct ProgramTexts {

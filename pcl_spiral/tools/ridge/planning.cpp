@@ -169,13 +169,14 @@ takeCutter(const Job& job, const DrivePasses& rows, ProgressBar& bar, Result& re
   std::vector<ToolLocations> located;
   const auto progress = [&bar](double share, const std::string& stage) { return bar.update(0.5 + 0.5 * share, stage); };
   require(job.part, locateCutter(tool, surfaceSettings(job, result), rows, progress, result, located));
+  result.tool = toolOf(tool, result);
   require(job.part, checkCollisions(tool, located));
   require(job.part, checkEnd(tool, located));
   takePoses(located, result);
   if (result.passes.empty())
     throw FileError(job.scan, "no row has two cutter locations over the part: check that lines and scan are in the same coordinates");
   if (!job.holder.empty())
-    require(job.part, checkToolWay(wayOf(result, tool), result.passes, result.warnings));
+    require(job.part, checkToolWay(wayOf(result), result.passes, result.warnings));
   warnOfLocations(tool, result);
 }
 

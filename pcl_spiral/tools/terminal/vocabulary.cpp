@@ -38,6 +38,8 @@ constexpr SettingWords settings[] = {
     {"setOverrun", "overrun"},
     {"setKind", "drive"},
     {"MeshSettings::crease_angle", "crease-angle"},
+    {"ProgramSettings::lead", "lead-in"},
+    {"ProgramSettings::lead_length", "lead-length"},
     {"MeshSections", "mesh", "pcl_spiral_drive --mesh"},
     {"setCrop", "crop"},
     {"setViewPoint", "view-point"},

@@ -182,7 +182,7 @@ printTogether(const Job& job, const Result& result)
   std::printf("all regions     %zu, %zu passes, %zu points, %.3f m, machining time %s\n", result.regions.size(),
               report.pass_begins.size() + 1, report.path_points, report.path_length / 1000.0,
               duration(60.0 * report.path_length / job.settings.feed).c_str());
-  std::printf("links           %zu between regions, retracted to %.4g mm along z, clear of the scan\n", result.links.count,
+  std::printf("links           %zu between regions, retracted to %.4g mm along z, clear of the scan\n", result.plan.regions.size() - 1,
               result.links.height);
 }
 

@@ -14,17 +14,12 @@
 #include "verify/stock_mesh.h"
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/machine/tool_moves.h>
+#include <pcl_spiral/planning/program_planner.h>
 #include <pcl_spiral/planning/spiral_plan.h>
 
 #include <optional>
 #include <string>
 #include <vector>
-
-/** The ways of the tool from region to region. Lengths in mm. */
-struct RegionLinks {
-  std::size_t count = 0;
-  double height = 0.0; ///< of the highest tip, along the direction of the first rotary axis
-};
 
 /** What judging a path gave. */
 struct Judged {
@@ -38,7 +33,7 @@ struct Result {
   pcl_spiral::SpiralPlan plan;                       ///< of all regions
   Judged judged;                                     ///< of all regions
   std::vector<Judged> regions;                       ///< of each region of the plan, if there are several
-  RegionLinks links;                                 ///< between the regions
+  pcl_spiral::PassLinks links;                       ///< between the regions
   pcl_spiral::Diagnostics reading;                   ///< warnings of the reader
   ScanSide side;                                     ///< what decides the side of the scan
   std::optional<pcl_spiral::MachineProgram> program; ///< if a machine is given

@@ -15,7 +15,6 @@ void addProgram(const Job& job, const pcl_spiral::Machine& machine, Result& resu
  *  checked. \throw pcl_spiral::FileError, Cancelled */
 void addMoves(const Job& job, Result& result);
 
-/** The program of \p passes over everything in the scan, with nothing of it in the way of the leads. Warnings of its making go to
- *  \p made, those about echoes to the report. \throw pcl_spiral::FileError, Cancelled */
-pcl_spiral::MachineProgram freeProgram(const Job& job, const pcl_spiral::Machine& machine, const std::vector<pcl_spiral::ToolPoses>& passes,
-                                       Result& result, pcl_spiral::Diagnostics& made);
+/** Looks at the ways of the tool between the regions of a path, as a program would make them. A path file has no links: its tool is lifted by
+ *  the program that reads it. \throw pcl_spiral::FileError if the tool would touch the scan, Cancelled */
+void checkLinks(const Job& job, Result& result);

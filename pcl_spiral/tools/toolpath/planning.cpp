@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 #include "job_failure.h"
+#include "path_program.h"
 #include "program/program_check.h"
-#include "region_links.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
@@ -14,8 +14,6 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/planning/spiral_planner.h>
-
-#include <pcl/conversions.h>
 
 using namespace pcl_spiral;
 
@@ -64,10 +62,15 @@ readFaces(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner, Result& result)
   MeshFile file = readMesh(job.scan, job.read);
   setScanFrame(file.shift, job.read);
   result.reading = std::move(file.warnings);
-  pcl::PointCloud<pcl::PointXYZ> vertices;
-  pcl::fromPCLPointCloud2(file.mesh->cloud, vertices);
-  requireScale(job, boxOf(vertices));
-  planner.setInputMesh(file.mesh);
+  MeshSettings settings;
+  settings.flip = job.settings.flip_normals;
+  SurfaceMesh::ConstPtr mesh;
+  requireOk(job, SurfaceMesh::make(*file.mesh, settings, mesh));
+  Eigen::AlignedBox3d box;
+  for (std::size_t v = 0; v < mesh->vertexCount(); ++v)
+    box.extend(mesh->position(v));
+  requireScale(job, box);
+  planner.setInputMesh(mesh);
   planner.setSampleSpacing(job.sample_spacing);
 }
 
@@ -164,6 +167,6 @@ plan(const Job& job)
   addWarnings(job, result.side, result.plan);
   addStage(stages.front(), result.plan.report.stages);
   if (!result.plan.regions.empty() && !hasProgram(job.program, job.outputs)) // the leads of a program are checked when it is there
-    result.links = checkedLinks(job, result);
+    checkLinks(job, result);
   return result;
 }

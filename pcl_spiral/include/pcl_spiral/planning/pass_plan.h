@@ -15,6 +15,7 @@
 #include <pcl_spiral/drive/drive_settings.h>
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/planning/led_tool.h>
 #include <pcl_spiral/planning/part_choice.h>
 #include <pcl_spiral/surface/surface.h>
 
@@ -72,6 +73,8 @@ struct PassPlan {
   DriveReport drive;             ///< of the drive path
   LocationFigures locations;     ///< of the cutter
   BisectionFigures bisection;    ///< of the moves between locations
+  LedTool tool;                  ///< as used
+  bool gouges_checked = true;    ///< false: the cutter stands at the contacts of a mesh
   std::vector<StageCost> stages; ///< time and memory
   Diagnostics warnings;          ///< of all but choosing the part
 

@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/planning/led_tool.h>
 #include <pcl_spiral/planning/part_choice.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
@@ -46,6 +47,7 @@ struct SpiralPlan {
   pcl::PointCloud<ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(); ///< all passes; never null
   SpiralSettings settings;                                                                       ///< as used
   SpiralReport report;                                                                           ///< with the warnings of making the path
+  LedTool tool;                                                                                  ///< as used
   std::vector<PlanAttempt> attempts;                                                             ///< of the region
 
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole; ///< the scan, or the samples of the mesh

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/planning/program_planner.h>
+
+#include "planning/program_warnings.h"
+#include "planning/tool_way.h"
+#include "verify/blocked_links.h"
+
+#include <pcl_spiral/collision/impl/false_echoes.h>
+#include <pcl_spiral/verify/lead_check.h>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+namespace {
+
+/** A check of \p scan for \p tool. */
+LeadCheck<pcl::PointXYZ>
+leadCheckOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool& tool)
+{
+  LeadCheck<pcl::PointXYZ> check;
+  check.setInputCloud(scan);
+  check.setCutter(tool.cutter);
+  check.setHolder(tool.holder);
+  check.setHolderClearance(tool.holder_clearance);
+  check.setTolerance(tool.tolerance);
+  check.setLargestEcho(largest_echo);
+  check.setNumberOfThreads(tool.threads);
+  return check;
+}
+
+Diagnostic
+textOfCollision(const LedTool& tool, const LeadFigures& figures)
+{
+  return Diagnostic(collisionText(tool, figures.deepest), "; ", figures.collided, " of the ", figures.moves, " moves off the path collide");
+}
+
+/** Whether the centre of a ball at its end can stay while the axis turns; its flank may be of any length. */
+bool
+endsInBall(const CutterShape& cutter)
+{
+  return cutter.radius > 0.0 && cutter.flank_angle == 0.0 && cutter.corner_radius == cutter.radius;
+}
+
+} // namespace
+
+void
+ProgramPlanner::setInputPlan(const SpiralPlan& plan)
+{
+  const ToolWay way = wayOf(plan);
+  planned_ = {ballPasses(*plan.path, plan.settings.tool_radius),
+              plan.whole,
+              way.points,
+              way.mesh,
+              way.remedy,
+              plan.tool,
+              !plan.tool.holder.empty(),
+              plan.settings.tool_radius,
+              plan.settings.feed,
+              plan.clearBox()};
+}
+
+void
+ProgramPlanner::setInputPlan(const PassPlan& plan)
+{
+  const ToolWay way = wayOf(plan);
+  const bool cuts = plan.tool.cutter.radius > 0.0 && plan.whole;
+  planned_ = {plan.passes,
+              cuts ? plan.whole : nullptr,
+              way.points,
+              way.mesh,
+              way.remedy,
+              plan.tool,
+              cuts && plan.gouges_checked,
+              endsInBall(plan.tool.cutter) ? plan.tool.cutter.radius : 0.0,
+              0.0,
+              Eigen::AlignedBox3d()};
+}
+
+ProgramSettings
+ProgramPlanner::usedSettings() const
+{
+  ProgramSettings settings = settings_;
+  settings.ball_radius = planned_.ball_radius;
+  settings.clear_box = planned_.clear_box;
+  if (planned_.feed > 0.0)
+    settings.feed = planned_.feed;
+  return settings;
+}
+
+Status
+ProgramPlanner::makeLinked(const std::vector<std::size_t>& retracted, MachineProgram& program)
+{
+  MachineProgramGenerator generator;
+  generator.setMachine(machine_);
+  generator.setSettings(usedSettings());
+  generator.setInputPasses(planned_.passes);
+  generator.setRetractedPasses(retracted);
+  generator.compute(program);
+  machine_fault_ = !generator.getStatus().ok();
+  return generator.getStatus();
+}
+
+/** Looks at the moves of \p program that do not cut. Where only single points off the scan's surface are in their way, or collisions are
+ *  accepted, that is a warning. */
+Status
+ProgramPlanner::checkLeads(const MachineProgram& program)
+{
+  if (!planned_.whole)
+    return Status::success();
+  LeadCheck<pcl::PointXYZ> check = leadCheckOf(planned_.whole, planned_.tool);
+  check.setProgressCallback(progress_);
+  check.compute(program);
+  if (!check.getStatus().ok())
+    return check.getStatus();
+  const LeadFigures &all = check.getFigures(), &obstacles = check.getObstacleFigures();
+  if (all.collided == 0)
+    return Status::success();
+  if (obstacles.collided == 0)
+    warnings_.push_back(textOfCollision(planned_.tool, all) + only_echoes);
+  else if (planned_.tool.accepted)
+    warnings_.push_back(textOfCollision(planned_.tool, obstacles));
+  else
+    return {StatusCode::Failed,
+            Diagnostic(textOfCollision(planned_.tool, obstacles),
+                       ": lean the tool axis another way, take another {ProgramSettings::lead} or {ProgramSettings::lead_length}, a "
+                       "slimmer or longer tool, or {setAcceptCollisions} to write the output anyway")};
+  return Status::success();
+}
+
+/** The program, with links near the surface only where they are free. */
+Status
+ProgramPlanner::make(MachineProgram& program)
+{
+  if (const Status status = makeLinked({}, program); !status.ok() || program.report.links == 0)
+    return status;
+  std::vector<std::size_t> blocked;
+  const Status status = findBlockedLinks(leadCheckOf(planned_.whole, planned_.tool), program, 0.5 * settings_.lead_length, blocked);
+  return !status.ok() || blocked.empty() ? status : makeLinked(blocked, program);
+}
+
+Status
+ProgramPlanner::run(MachineProgram& program)
+{
+  if (const Status status = make(program); !status.ok())
+    return status;
+  warnings_ = programWarnings(program);
+  if (!(planned_.tool.cutter.radius > 0.0))
+    return checkBeam(program);
+  if (const Status status = checkLeads(program); !status.ok() || !planned_.check_holder)
+    return status;
+  return checkToolWay({planned_.tool, planned_.points, planned_.mesh, planned_.remedy, progress_}, program, warnings_);
+}
+
+/** The first and the last two poses of each pass decide how the tool comes and leaves. */
+Status
+ProgramPlanner::run(PassLinks& links)
+{
+  ProgramPlanner ends = *this;
+  ends.setMachine(xyzacTrunnion());
+  for (ToolPoses& pass : ends.planned_.passes)
+    if (pass.size() > 4)
+      pass.erase(pass.begin() + 2, pass.end() - 2);
+  MachineProgram program;
+  if (const Status status = ends.make(program); !status.ok())
+    return status;
+  const Status status = ends.checkLeads(program);
+  warnings_ = ends.warnings_;
+  links = linksOf(program);
+  return status;
+}
+
+Status
+ProgramPlanner::run(std::vector<ToolMoves>& moves)
+{
+  moves = ledPasses(planned_.passes, usedSettings());
+  return checkLeads(programOf(moves));
+}
+
+template <typename Made>
+void
+ProgramPlanner::computeBy(Made& made)
+{
+  made = Made();
+  warnings_.clear();
+  machine_fault_ = false;
+  Made result;
+  status_ = Status::unfinished();
+  status_ = run(result);
+  if (status_.ok())
+    made = std::move(result);
+}
+
+void
+ProgramPlanner::compute(MachineProgram& program)
+{
+  computeBy(program);
+}
+
+void
+ProgramPlanner::compute(std::vector<ToolMoves>& moves)
+{
+  computeBy(moves);
+}
+
+void
+ProgramPlanner::compute(PassLinks& links)
+{
+  computeBy(links);
+}
+
+PassLinks
+linksOf(const MachineProgram& program)
+{
+  PassLinks links;
+  std::size_t positions = 0;
+  for (const ProgramBlock& block : program.blocks) {
+    if (block.section != BlockSection::Position)
+      continue;
+    links.height = positions++ > 0 ? std::max(links.height, block.tip.z()) : block.tip.z();
+  }
+  links.count = positions > 0 ? positions - 1 : 0;
+  return links;
+}
+
+} // namespace pcl_spiral
