@@ -282,6 +282,7 @@ TEST_F(DriveRegions, ThatCannotBeAreRefused)
   refuses({"--part-at", "-75,0,4", "--part-at", "85,10,7", "--drive", "curve", "--curve", "curve.txt"}, 2, "");
   writeText(folder_.path("west.txt"), "-120 -40\n-78 -40\n-78 40\n-120 40\n");
   refuses({"--region", "west.txt", "--part-at", "85,10,7"}, 2, "this place is in no --region");
+  refuses({"--part-at", "-75,0,4", "--part-at", "85,10,7", "--raw-scan", "missing.xyz"}, 1, "missing.xyz");
 }
 
 } // namespace drive_part_test

@@ -7,9 +7,9 @@
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
-#include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/planning/drive_planner.h>
 #include <pcl_spiral/planning/path_verifier.h>
+#include <pcl_spiral/planning/program_planner.h>
 #include <pcl_spiral/planning/spiral_planner.h>
 #include <pcl_spiral/ridge/ridge_toolpath.h>
 
@@ -171,16 +171,12 @@ TEST_F(SameInCpp, AProgramForATrunnion)
   pcl::PointCloud<ToolpathPoint> path;
   planner.compute(path);
   ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
-  MachineProgramGenerator generator;
-  generator.setMachine(xyzacTrunnion());
-  ProgramSettings settings;
-  settings.feed = planner.getFeed();
-  settings.clear_box = planner.getPlan().clearBox();
-  generator.setSettings(settings);
-  generator.setInputPath(path, planner.getToolRadius());
+  ProgramPlanner programs;
+  programs.setInputPlan(planner.getPlan());
+  programs.setMachine(xyzacTrunnion());
   MachineProgram program;
-  generator.compute(program);
-  ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  programs.compute(program);
+  ASSERT_TRUE(programs.getStatus().ok()) << programs.getStatus().message();
   ProgramHeader header;
   header.title = "scan.xyz";
   header.spindle_speed = 8000.0;
@@ -203,11 +199,12 @@ TEST_F(SameInCpp, RobotFramesOfTwoRegions)
   planner.setScallopHeight(0.05);
   planner.compute();
   ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
-  ProgramSettings settings;
-  settings.feed = planner.getFeed();
-  settings.ball_radius = 4.0;
-  settings.clear_box = planner.getPlan().clearBox();
-  writeRobotFrames(folder_.path("cpp.yaml"), ledPasses(ballPasses(*planner.getPlan().path, 4.0), settings));
+  ProgramPlanner programs;
+  programs.setInputPlan(planner.getPlan());
+  std::vector<ToolMoves> moves;
+  programs.compute(moves);
+  ASSERT_TRUE(programs.getStatus().ok()) << programs.getStatus().message();
+  writeRobotFrames(folder_.path("cpp.yaml"), moves);
   EXPECT_EQ(readText(folder_.path("cpp.yaml")), readText(folder_.path("program.yaml")));
 }
 
@@ -226,6 +223,7 @@ TEST_F(SameInCpp, DriveBesideAKeepOutWithAHolder)
   planner.setHolder({ToolSegment::cylinder(6.0, 40.0, "shank"), {20.0, 25.0, 60.0, "chuck"}});
   PassSettings settings;
   settings.tolerance = 0.02;
+  planner.setChordError(0.5 * settings.tolerance);
   planner.setPassSettings(settings);
   std::vector<ToolPoses> passes;
   planner.compute(passes);

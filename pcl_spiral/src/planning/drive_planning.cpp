@@ -158,6 +158,8 @@ complete(DrivePlanInput& input)
   if (!drive.cutter)
     return {StatusCode::InvalidArgument, "the cutter is missing: call {setCutter}, such as with CutterShape::ball(6.0)"};
   input.tool.cutter = *drive.cutter;
+  if (const Diagnostic fault = faultOf(*drive.cutter); !fault.empty())
+    return {StatusCode::InvalidArgument, Diagnostic("the cutter ({setCutter}): ", fault)};
   if (drive.scallop_height > 0.0 && drive.step_over == 0.0) {
     const std::optional<double> step = stepForScallop(CutterProfile(*drive.cutter), drive.scallop_height);
     if (!step)
@@ -165,7 +167,6 @@ complete(DrivePlanInput& input)
                                                       " {mm} with this cutter: give a step-over ({setStepOver})")};
     drive.step_over = *step;
   }
-  drive.chord_error = 0.5 * input.tool.tolerance; // the other half is for the moves between locations
   if (!input.check_gouges && (!input.mesh || drive.kind != DriveKind::Planes))
     return {StatusCode::InvalidArgument, "only planes over a mesh have contacts without a check for gouges ({setGougeCheck}): leave it on"};
   return Status::success();
@@ -180,8 +181,11 @@ planDrivePasses(const DrivePlanInput& given, PassPlan& plan)
   DrivePlanInput input = given;
   if (const Status status = complete(input); !status.ok())
     return status;
+  if (input.mesh && (input.leave_out_strays || !input.regions.empty()))
+    return {StatusCode::InvalidArgument, Diagnostic(input.leave_out_strays ? "{setLeaveOutStrays}" : "{addRegion}",
+                                                    " belongs to scans, and a mesh is given ({setInputMesh}): leave one of the two out")};
   if (input.mesh)
-    if (const Status status = checkPartOfMesh(input.choice, input.regions); !status.ok())
+    if (const Status status = checkPartOfMesh(input.choice, {}); !status.ok())
       return status;
   const std::vector<PlanRegion> regions = namedRegions(input.regions);
   std::vector<PassPlan> made(regions.size());

@@ -65,6 +65,10 @@ add(const BisectionFigures& one, BisectionFigures& all)
 void
 add(const LeftOutLocations& one, LeftOutLocations& all)
 {
+  if (all.touching == 0)
+    all.first = one.first;
+  if (all.beside == 0)
+    all.first_beside = one.first_beside;
   all.entering += one.entering;
   all.touching += one.touching;
   all.beside += one.beside;
@@ -101,9 +105,13 @@ joinPasses(const std::vector<PassPlan>& regions, PassPlan& all)
   all.cloud = all.whole;
   all.warnings.clear();
   all.passes.clear();
-  all.chosen.warnings.clear();
+  all.normals.reset();
+  all.chosen = ChosenPart();
+  all.chosen.keep_outs = regions.front().chosen.keep_outs;
+  all.drive.warnings.clear();
+  all.locations.warnings.clear();
   for (const PassPlan& region : regions) {
-    all.regions.push_back({region.region, region.passes.size(), region.poseCount()});
+    all.regions.push_back({region.region, region.passes.size(), region.poseCount(), region.surface, region.side});
     all.passes.insert(all.passes.end(), region.passes.begin(), region.passes.end());
     for (const Diagnostic& warning : ofRegion(region.region, region.chosen.warnings))
       all.warnings.push_back(warning);

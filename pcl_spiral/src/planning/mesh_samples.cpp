@@ -96,7 +96,7 @@ warnOfSide(bool flipped, const pcl::PointCloud<pcl::Normal>& normals, Diagnostic
     sum += n.normal_z;
   if (sum < down * static_cast<double>(normals.size()))
     warnings.push_back(Diagnostic("the faces of the mesh point down, along -z, so the cutter comes from below: ",
-                                  flipped ? "leave {MeshSettings::flip} out" : "give {MeshSettings::flip}", " if it must come from above"));
+                                  flipped ? "leave {setFlipNormals} out" : "give {setFlipNormals}", " if it must come from above"));
 }
 
 } // namespace

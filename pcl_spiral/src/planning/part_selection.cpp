@@ -106,9 +106,10 @@ public:
   Status keepOnly(const pcl::Indices& kept, const pcl::Indices& echoes)
   {
     if (kept.empty()) {
+      const char* const crop = choice_.crop_box ? "{setCropBox}" : "{setCrop}";
       const char* const more = choice_.region ? ", {addRegion}" : "";
       return {StatusCode::InvalidArgument,
-              Diagnostic("no point is left after {setCrop}", more, " and {addKeepOut}; the {scan} lies ", boxText(*cloud_),
+              Diagnostic("no point is left after ", crop, more, " and {addKeepOut}; the {scan} lies ", boxText(*cloud_),
                          ": give a larger crop", choice_.region ? " or region" : "", ", or smaller keep-outs")};
     }
     auto next = kept.begin();
@@ -225,7 +226,11 @@ warnOfCuts(const PartChoice& choice, const RegionFigures& figures, std::size_t a
 {
   if (choice.crop_box || choice.crop || choice.region)
     warnings.push_back(Diagnostic(figures.cropped, " of ", all, " points are outside the ", choice.region ? "region" : "crop",
-                                  " and were left out (", choice.region ? "{addRegion}" : "{setCrop}", ")"));
+                                  " and were left out (",
+                                  choice.region     ? "{addRegion}"
+                                  : choice.crop_box ? "{setCropBox}"
+                                                    : "{setCrop}",
+                                  ")"));
   if (!choice.keep_outs.empty())
     warnings.push_back(Diagnostic(
         figures.kept_out, " of ", all, " points are in a keep-out",
@@ -248,6 +253,8 @@ choosePart(const WholeScan& scan, const PartChoice& choice, const PartTool& tool
     pcl::Indices ascending = *scan.indices;
     std::sort(ascending.begin(), ascending.end());
     ascending.erase(std::unique(ascending.begin(), ascending.end()), ascending.end());
+    if (ascending.empty())
+      return {StatusCode::InvalidArgument, "the indices are empty ({setIndices}): give the points of the part"};
     if (const Status status = selection.keepOnly(ascending, {}); !status.ok())
       return status;
   }

@@ -43,7 +43,7 @@ leaveOutStrays(unsigned int threads, PassPlan& plan)
   const StrayFigures& f = removal.getFigures();
   if (f.strays > 0)
     plan.warnings.push_back(Diagnostic(f.strays, " of ", plan.cloud->size(),
-                                       " points off the scanned surface were left out ({StrayRemoval}); the largest group has ",
+                                       " points off the scanned surface were left out ({setLeaveOutStrays}); the largest group has ",
                                        f.largest_group, ", at ", Place(f.largest_group_place),
                                        f.largest_group > largest_echo ? ": such a group is not a false echo; check what is there" : ""));
   keepOnly(indices, plan);

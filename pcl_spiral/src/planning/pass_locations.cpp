@@ -63,11 +63,12 @@ checkCollisions(const PassSettings& settings, const std::vector<ToolLocations>& 
     }
   if (!worst || settings.accept_collisions)
     return Status::success();
-  return {StatusCode::Failed, Diagnostic(nameOf(worst->collision, settings.holder), " would be ", worst->collision.depth,
-                                         " {mm} deep in the part at ", Place(worst->collision.place), ", the tip at ", Place(worst->tip),
-                                         "; at ", count, " locations in total: use a longer or thinner tool, another axis, ",
-                                         settings.max_retilt > 0.0 ? "a larger {setMaxRetilt}" : "lean the axis by {setMaxRetilt} 30",
-                                         ", or {setAcceptCollisions} to write the path anyway")};
+  return {StatusCode::Failed,
+          Diagnostic(nameOf(worst->collision, settings.holder), " would be ", worst->collision.depth, " {mm} deep in the part at ",
+                     Place(worst->collision.place), ", the tip at ", Place(worst->tip), "; at ", count,
+                     " locations in total: use a longer or thinner tool, another axis, ",
+                     settings.max_retilt > 0.0 ? "a larger {PassSettings::max_retilt}" : "lean the axis by {PassSettings::max_retilt} 30",
+                     ", or {setAcceptCollisions} to write the path anyway")};
 }
 
 Status
@@ -94,8 +95,8 @@ checkEnd(const PassSettings& settings, const std::vector<ToolLocations>& located
                      settings.holder.empty()
                          ? Diagnostic(", and the tool is taken as ", length, " {mm} long: give its shank and holder ({setHolder})")
                          : Diagnostic(", ", length, " {mm} above the tip: what holds the tool would be in it"),
-                     ", let the cutter be lifted over what is there ({setCeiling} 1000), or, if nothing of the tool is above, "
-                     "say so ({setCeiling} ",
+                     ", let the cutter be lifted over what is there ({PassSettings::ceiling} 1000), or, if nothing of the tool is above, "
+                     "say so ({PassSettings::ceiling} ",
                      length, ")")};
 }
 
@@ -147,7 +148,7 @@ warnOfLocations(const PassSettings& settings, PassPlan& plan)
                                   off == 1 ? "was" : "were", " left out; passes are interrupted there"));
   if (plan.bisection.unresolved > 0)
     warnings.push_back(Diagnostic(
-        plan.bisection.unresolved, plan.bisection.unresolved == 1 ? " move exceeds the" : " moves exceed the tolerance of ",
+        plan.bisection.unresolved, plan.bisection.unresolved == 1 ? " move exceeds the tolerance of " : " moves exceed the tolerance of ",
         settings.tolerance, " {mm}, the worst by an error of ", plan.bisection.largest_error, " {mm} at ",
         Place(plan.bisection.worst_place), ": the axis turns too fast or the surface is too steep there; check this place before you cut"));
 }

@@ -74,11 +74,13 @@ prepare(Judge& judge, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, cons
     judge.setInputSurface(settings.surface);
   judge.setInputToolpath(path);
   judge.setChordError(settings.chord_error);
+  judge.setQuiet(true);
   judge.setNumberOfThreads(settings.threads);
   if (settings.surface || settings.mesh)
     return; // oriented already
   if (settings.part_at)
     judge.setPartAt(*settings.part_at);
+  judge.setLargestPart(settings.largest_part);
   judge.setClusterHandling(settings.clusters);
   judge.setFlipNormals(settings.flip_normals);
   judge.setInputNormals(settings.normals);

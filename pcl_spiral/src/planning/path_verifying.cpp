@@ -39,8 +39,10 @@ compareRawScan(const pcl::PointCloud<pcl::PointXYZ>& raw, const Surface& smoothe
   std::vector<Eigen::Vector3f> points;
   for (const pcl::PointXYZ& p : raw)
     points.push_back(p.getVector3fMap());
+  if (points.empty())
+    return {StatusCode::InvalidInput, "the raw scan has no points"};
   figures = compareWithRaw(smoothed, points);
-  if (!points.empty() && 2 * figures.points >= points.size())
+  if (2 * figures.points >= points.size())
     return Status::success();
   return {StatusCode::InvalidInput, Diagnostic(points.size() - figures.points, " of ", points.size(),
                                                " points of this raw scan have no smoothed surface near: is it another part, another "
@@ -54,11 +56,15 @@ verifyPath(const JudgedInput& input, std::shared_ptr<const ReferenceSurface>& re
     return {StatusCode::InvalidInput, "the path is missing or empty: call {setInputToolpath} with points"};
   if (!(input.settings.cutter.radius > 0.0))
     return {StatusCode::InvalidArgument, "the cutter is missing: call {setCutter}, such as with CutterShape::ball(6.0)"};
+  if (input.surface.thinning > 0.0 || input.surface.outlier_neighbours > 0)
+    return {StatusCode::InvalidArgument, Diagnostic(input.surface.thinning > 0.0 ? "{setThinning}" : "{setOutlierRemoval}",
+                                                    " was called, but a path is judged by all points of the scan: leave it out")};
   JudgeSettings settings = input.settings;
   settings.view_point = input.surface.view_point;
   settings.trust_normals = input.surface.trust_normals;
   settings.flip_normals = input.surface.flip_normals;
   settings.threads = input.surface.threads;
+  settings.largest_part = input.surface.largest_part && !input.surface.part_at;
   JudgedSurroundings around;
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
   if (const Status status = choose(input, settings, cloud, around); !status.ok())

@@ -52,10 +52,11 @@ Status
 checkPartOfMesh(const PartChoice& choice, const std::vector<PlanRegion>& regions)
 {
   const bool has_polygon = std::any_of(regions.begin(), regions.end(), [](const PlanRegion& region) { return region.polygon.has_value(); });
-  const char* const setter = choice.crop_box || choice.crop ? "{setCrop}"
-                             : !choice.keep_outs.empty()    ? "{addKeepOut}"
-                             : has_polygon                  ? "{addRegion}"
-                                                            : nullptr;
+  const char* const setter = choice.crop_box             ? "{setCropBox}"
+                             : choice.crop               ? "{setCrop}"
+                             : !choice.keep_outs.empty() ? "{addKeepOut}"
+                             : has_polygon               ? "{addRegion}"
+                                                         : nullptr;
   if (setter == nullptr)
     return Status::success();
   return {StatusCode::InvalidArgument,

@@ -25,6 +25,7 @@ leadCheckOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool&
   check.setTolerance(tool.tolerance);
   check.setLargestEcho(largest_echo);
   check.setNumberOfThreads(tool.threads);
+  check.setQuiet(true);
   return check;
 }
 

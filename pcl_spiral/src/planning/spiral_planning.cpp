@@ -112,6 +112,22 @@ checkMesh(const PlanInput& input)
   return checkPartOfMesh(input.choice, input.regions);
 }
 
+/** What planning needs beside the settings of the spiral, which the generator checks. */
+Status
+checkSettings(const PlanInput& input)
+{
+  if (!input.holder.empty() && !(input.flank_length > 0.0))
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the distance from the ball to the holder is ", input.flank_length, " {mm}: set it above 0 ({setFlankLength})")};
+  if (!(input.sample_spacing >= 0.0))
+    return {StatusCode::InvalidArgument, Diagnostic("the distance of samples is ", input.sample_spacing,
+                                                    " {mm}: set it above 0 ({setSampleSpacing}), or 0 to find it from the mesh")};
+  if (input.regions.size() > 1 && input.settings.centre)
+    return {StatusCode::InvalidArgument, "a centre ({setCenter}) belongs to one region, and several are given ({addRegion}): plan each "
+                                         "region by its own, or leave the centre out"};
+  return Status::success();
+}
+
 /** \p progress with shares that do not fall when a path is tried again. */
 ProgressCallback
 neverLess(const ProgressCallback& progress)
@@ -131,26 +147,30 @@ Status
 planSpiral(const PlanInput& input, SpiralPlan& plan)
 {
   plan = SpiralPlan();
+  if (const Status status = checkSettings(input); !status.ok())
+    return status;
+  const ProgressCallback progress = neverLess(input.progress);
   SpiralPlan base;
   std::vector<StageCost> stages;
   StageClock clock(stages);
   if (input.mesh) {
     if (const Status status = checkMesh(input); !status.ok())
       return status;
-    if (const Status status = sampleMesh(input.mesh, input.sample_spacing, input.settings, input.progress, base); !status.ok())
+    if (const Status status = sampleMesh(input.mesh, input.sample_spacing, input.settings, progress, base); !status.ok())
       return status;
     clock.end("samples");
   }
   else
     base.whole = base.cloud = input.cloud;
-  const ProgressCallback progress = neverLess(input.progress);
   const std::vector<PlanRegion> regions = namedRegions(input.regions);
   std::vector<SpiralPlan> made;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     made.emplace_back();
     RegionTries tries(input, choiceOf(input.choice, regions[i]), base, progressOf(progress, i, regions.size()));
-    if (const Status status = tries.run(made.back()); !status.ok())
+    if (const Status status = tries.run(made.back()); !status.ok()) {
+      plan.attempts = std::move(made.back().attempts);
       return {status.code(), textOfRegion(regions[i].name, status.diagnostic())};
+    }
     made.back().region = regions[i].name;
   }
   if (made.size() == 1)

@@ -109,6 +109,7 @@ check(const ToolWay& asked, const Way& way, Diagnostics& warnings)
   check.setTolerance(asked.tool.tolerance);
   check.setLargestEcho(largest_echo);
   check.setNumberOfThreads(asked.tool.threads);
+  check.setQuiet(true);
   check.setProgressCallback(asked.progress);
   check.compute(way);
   if (!check.getStatus().ok())
@@ -133,9 +134,13 @@ check(const ToolWay& asked, const Way& way, Diagnostics& warnings)
 Diagnostic
 collisionText(const LedTool& tool, const LeadCollision& collision)
 {
+  const auto nameOfSegment = [&](std::size_t i) {
+    const std::string& name = tool.holder[i].name;
+    return name.empty() ? "segment " + std::to_string(i + 1) + " of the holder" : name;
+  };
   const std::string what = collision.part == ToolPart::Cutter  ? "the cutter"
                            : collision.part == ToolPart::Shank ? "a shank as wide as the cutter"
-                                                               : tool.holder[static_cast<std::size_t>(collision.segment)].name;
+                                                               : nameOfSegment(static_cast<std::size_t>(collision.segment));
   return Diagnostic(what, " would be ", collision.depth, " {mm} deep in the part ", wayOf(collision.section), ", at ",
                     Place(collision.place), ", the tip at ", Place(collision.tip));
 }

@@ -29,7 +29,7 @@ addPath(HtmlPage& page, const Job& job, const Result& result)
                 {"Machining time at the feed", formatted("%.1f min at %g mm/min", result.length / job.feed, job.feed)},
                 {"Locations", formatted("%zu, %zu of them added between others", result.poseCount(), result.bisection.inserted)},
                 {"Largest error of a move", formatted("%.3g mm", result.bisection.largest_error)}};
-  for (const RegionPassCount& region : result.regions)
+  for (const PlannedRegion& region : result.regions)
     rows.push_back({region.name, formatted("%zu passes, %zu locations", region.passes, region.locations)});
   if (job.drive.kind == DriveKind::Planes)
     rows.push_back({"Rows", formatted("%zu, %.4g to %.4g mm apart", d.rows, d.smallest_step, d.step_over)});

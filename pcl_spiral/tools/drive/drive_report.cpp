@@ -78,7 +78,7 @@ writeDriveReport(const std::string& file, const Job& job, const Result& result)
   }
   if (job.drive.kind == DriveKind::Planes)
     report["rows"] = rowsOf(result.drive);
-  for (const RegionPassCount& region : result.regions)
+  for (const PlannedRegion& region : result.regions)
     report["regions"].push_back({{"region", region.name}, {"passes", region.passes}, {"locations", region.locations}});
   report["drive_points"] = result.drive.points;
   addPasses(result, report);

@@ -76,7 +76,7 @@ printSummary(const Job& job, const Result& result, double seconds)
                 result.drive.step_over);
   if (job.drive.link_rows)
     std::printf("links           %zu rows joined on the surface, %zu not\n", result.drive.links, result.drive.rows_apart);
-  for (const RegionPassCount& region : result.regions)
+  for (const PlannedRegion& region : result.regions)
     std::printf("%s: %zu pass%s, %zu locations\n", region.name.c_str(), region.passes, region.passes == 1 ? "" : "es", region.locations);
   printPasses(job, result, filesOf(job), seconds);
 }

@@ -87,6 +87,7 @@ setPasses(const Job& job, Planner& planner, Diagnostics& warnings)
 {
   DriveSettings drive = job.drive;
   drive.scallop_height = job.scallop;
+  drive.chord_error = 0.5 * job.tolerance; // the other half is for the moves between locations
   if (job.column_axis)
     drive.cylinder = DriveCylinder{fromScan(job.column_centre), *job.column_axis};
   if (drive.kind == DriveKind::Curve)
@@ -100,18 +101,32 @@ setPasses(const Job& job, Planner& planner, Diagnostics& warnings)
   planner.setNumberOfThreads(job.threads);
 }
 
-/** Adds what the program alone knows. */
+/** What the program alone knows of a region with that \p side and \p surface. */
+Diagnostics
+warningsOf(const Job& job, const ScanSide& asked_side, const OuterSide& side, const Surface::ConstPtr& surface)
+{
+  Diagnostics warnings;
+  if (const DriveAxisMode mode = job.drive.axisMode(); mode == DriveAxisMode::Surface || mode == DriveAxisMode::LocalPlane)
+    warnings = viewPointWarnings(asked_side, side);
+  if (!job.raw_scan.empty() && surface)
+    warnings.push_back(Diagnostic(smoothingText(rawScanFigures(job.raw_scan, job.read, *surface), job.raw_scan),
+                                  "; pcl_spiral_verify --raw-scan judges the path by it"));
+  return warnings;
+}
+
 void
 addWarnings(const Job& job, Result& result)
 {
   if (result.mesh)
     return;
-  if (const DriveAxisMode mode = job.drive.axisMode(); mode == DriveAxisMode::Surface || mode == DriveAxisMode::LocalPlane)
-    for (const Diagnostic& warning : viewPointWarnings(result.asked_side, result.side))
-      result.warnings.push_back(warning);
-  if (!job.raw_scan.empty() && result.surface)
-    result.warnings.push_back(Diagnostic(smoothingText(rawScanFigures(job.raw_scan, job.read, *result.surface), job.raw_scan),
-                                         "; pcl_spiral_verify --raw-scan judges the path by it"));
+  const auto add = [&](const std::string& name, const OuterSide& side, const Surface::ConstPtr& surface) {
+    for (const Diagnostic& warning : warningsOf(job, result.asked_side, side, surface))
+      result.warnings.push_back(name.empty() ? warning : Diagnostic(name, ": ", warning));
+  };
+  if (result.regions.empty())
+    add("", result.side, result.surface);
+  for (const PlannedRegion& region : result.regions)
+    add(region.name, region.side, region.surface);
 }
 
 } // namespace

@@ -15,6 +15,6 @@ void addProgram(const Job& job, const pcl_spiral::Machine& machine, Result& resu
  *  checked. \throw pcl_spiral::FileError, Cancelled */
 void addMoves(const Job& job, Result& result);
 
-/** Looks at the ways of the tool between the regions of a path, as a program would make them. A path file has no links: its tool is lifted by
- *  the program that reads it. \throw pcl_spiral::FileError if the tool would touch the scan, Cancelled */
+/** Looks at the ways of the tool between the regions of a path, as a program would make them. A path file has no links: its tool is lifted
+ *  by the program that reads it. \throw pcl_spiral::FileError if the tool would touch the scan, Cancelled */
 void checkLinks(const Job& job, Result& result);

@@ -28,7 +28,7 @@ requireScale(const Job& job, const Eigen::AlignedBox3d& box)
     return;
   throw FileError(
       job.scan,
-      Diagnostic("the whole {scan} is ", box.diagonal().norm(), " mm across, less than the tool radius ", job.settings.tool_radius,
+      Diagnostic("the whole scan is ", box.diagonal().norm(), " mm across, less than the tool radius ", job.settings.tool_radius,
                  " mm: ", scanShift().isZero() ? "is the scan in metres or inches?" : "map coordinates are usually in metres or feet.",
                  " Give its unit: --units m or --units inch; or --units mm if the ball is larger than the part"));
 }

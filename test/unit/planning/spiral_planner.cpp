@@ -122,7 +122,7 @@ TEST(SpiralPlanner, TheBallStaysOutOfAKeepOutWhereverTheClampStands)
   }
 }
 
-TEST(SpiralPlanner, EachTryHasItsReasonAndTheLastOneIsThePlan)
+TEST(SpiralPlanner, EachTryHasItsReason)
 {
   std::size_t again = 0;
   for (const double x : {28.0, 29.5, 30.0, 31.0}) {

@@ -28,7 +28,9 @@ namespace pcl_spiral {
  *  planner.compute(passes);
  *  if (!planner.getStatus().ok()) ...    // and there are no passes
  *  \endcode
- *  A surface (setInputSurface) is refused: it has no scan beside it. The same input gives the same bytes for any number of threads.
+ *  Contacts on a mesh keep to setChordError and the moves between locations to PassSettings::tolerance; half of the tolerance is a usual
+ *  chord error. A surface (setInputSurface) is refused: it has no scan beside it. The same input gives the same bytes for any number of
+ *  threads.
  */
 template <typename PointT>
 class DrivePlanner : public HolderInput<DriveInput<PointT>> {
@@ -84,8 +86,13 @@ private:
       return status;
     DrivePlanInput input;
     input.surface = this->surfaceSettings();
-    if (this->on_mesh_)
+    if (this->on_mesh_) {
+      if (const Status status =
+              checkBesideMesh(this->surfaceSettings(), this->getInputNormals() != nullptr, this->givenIndices() != nullptr);
+          !status.ok())
+        return status;
       input.mesh = this->mesh_;
+    }
     else {
       input.cloud = this->template as<pcl::PointXYZ>(this->input_);
       input.normals = this->getInputNormals();

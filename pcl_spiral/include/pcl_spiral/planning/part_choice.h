@@ -44,11 +44,11 @@ struct PlanRegion {
 
 /** A narrow strip of the part beside a keep-out that is left uncut, because no path was found with it. */
 struct UncutStrip {
-  Eigen::Vector3d place; ///< of its point in the middle
-  double width = 0.0;    ///< that it is narrower than, mm
-  double area = 0.0;     ///< mm2
-  pcl::Indices indices;  ///< of its points in the cloud that it was taken from, ascending
-  std::vector<Eigen::Vector3f> points;
+  Eigen::Vector3d place;               ///< of its point in the middle
+  double width = 0.0;                  ///< that it is narrower than, mm
+  double area = 0.0;                   ///< mm2
+  pcl::Indices indices;                ///< of its points in the cloud that it was taken from, ascending
+  std::vector<Eigen::Vector3f> points; ///< these points
 };
 
 /** What is left of a scan when the part is chosen. */

@@ -55,36 +55,38 @@ struct LeftOutLocations {
 };
 
 /** The passes of one of several regions. */
-struct RegionPassCount {
+struct PlannedRegion {
   std::string name;          ///< of the region
   std::size_t passes = 0;    ///< their number
   std::size_t locations = 0; ///< their number
+  Surface::ConstPtr surface; ///< of the region
+  OuterSide side;            ///< what decided it
 };
 
 /** Passes and their figures. Lengths in mm. */
 struct PassPlan {
-  std::string region;                   ///< its name; empty: the only one, or all together
-  std::vector<RegionPassCount> regions; ///< if there are several, in the order of their passes
+  std::string region;                 ///< its name; empty: the only one, or all together
+  std::vector<PlannedRegion> regions; ///< if there are several, in the order of their passes
 
   std::vector<ToolPoses> passes; ///< in travel order, without locations off the part
   double length = 0.0;           ///< of the tip's path along all passes
   std::size_t off_scan = 0;      ///< locations left out: no part of the surface below the cutter, and those of left_out
   LeftOutLocations left_out;     ///< because of what is not to be cut
-  DriveReport drive;             ///< of the drive path
-  LocationFigures locations;     ///< of the cutter
+  DriveReport drive;             ///< of the drive path; its warnings are in warnings
+  LocationFigures locations;     ///< of the cutter; its warnings are in warnings
   BisectionFigures bisection;    ///< of the moves between locations
   LedTool tool;                  ///< as used
   bool gouges_checked = true;    ///< false: the cutter stands at the contacts of a mesh
   std::vector<StageCost> stages; ///< time and memory
-  Diagnostics warnings;          ///< of all but choosing the part
+  Diagnostics warnings;          ///< of all but choosing the part; of several regions of that, too, each with the name of its region
 
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr whole; ///< the scan with all that was left out; of a mesh its samples, if they were made
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< the points of the part
-  pcl::PointCloud<pcl::Normal>::ConstPtr normals; ///< of these points, as given; null: none
-  ChosenPart chosen;                              ///< how the part was chosen, and what is beside it
-  Surface::ConstPtr surface;                      ///< of the part; null for a mesh, and for points that form none
-  OuterSide side;                                 ///< what decided the side of the scan
-  SurfaceMesh::ConstPtr mesh;                     ///< the part if it is a mesh; null for a scan
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< the points of the part; of several regions the whole scan
+  pcl::PointCloud<pcl::Normal>::ConstPtr normals; ///< of these points, as given; null: none, or several regions
+  ChosenPart chosen;          ///< how the part was chosen, and what is beside it; of several regions the keep-outs alone
+  Surface::ConstPtr surface;  ///< of the part; null for a mesh, and for points that form none
+  OuterSide side;             ///< what decided the side of the scan; of several regions that of the first
+  SurfaceMesh::ConstPtr mesh; ///< the part if it is a mesh; null for a scan
 
   /** Locations of all passes. */
   std::size_t poseCount() const

@@ -5,13 +5,12 @@
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
+#include <pcl_spiral/mesh/impl/mesh_input.h>
 #include <pcl_spiral/planning/impl/path_judging.h>
 #include <pcl_spiral/planning/part_input.h>
-#include <pcl_spiral/surface/surface_input.h>
-
-#include <pcl/pcl_base.h>
 
 #include <memory>
+#include <utility>
 
 namespace pcl_spiral {
 
@@ -32,7 +31,7 @@ namespace pcl_spiral {
  *  if (!found.broken.empty()) ...        // each says what is wrong, and where
  *  \endcode */
 template <typename PointT>
-class PathVerifier : public PartInput<SurfaceInput<pcl::PCLBase<PointT>, PointT>> {
+class PathVerifier : public PartInput<MeshInput<PointT>> {
 public:
   using Ptr = pcl::shared_ptr<PathVerifier>;                               ///< A shared pointer.
   using ConstPtr = pcl::shared_ptr<const PathVerifier>;                    ///< A shared pointer to a constant one.
@@ -43,15 +42,17 @@ public:
   PathVerifier()
   {
     this->setClusterHandling(ClusterHandling::Ride);
+    judge_.scallop_height = 0.05;
     judge_.chord_error = 0.005;
   }
 
   /** The path. */
   void setInputToolpath(const PathConstPtr& path) { path_ = path; }
   const PathConstPtr& getInputToolpath() const { return path_; } ///< The value of setInputToolpath.
-  /** A mesh to judge by in place of the scan; crops, keep-outs and regions belong to scans. Null, the default: the scan. */
-  void setInputMesh(const SurfaceMesh::ConstPtr& mesh) { judge_.mesh = mesh; }
-  const SurfaceMesh::ConstPtr& getInputMesh() const { return judge_.mesh; } ///< The value of setInputMesh.
+  /** How a mesh that is given as polygons (setInputMesh) is prepared. A mesh is judged by in place of the scan; settings, crops, keep-outs
+   *  and regions that belong to scans are refused with it. */
+  void setMeshSettings(const MeshSettings& settings) { mesh_settings_ = settings; }
+  const MeshSettings& getMeshSettings() const { return mesh_settings_; } ///< The value of setMeshSettings.
   /** Distance of the samples of the mesh, mm; 0, the default: from its curvature. */
   void setSampleSpacing(double spacing) { judge_.sample_spacing = spacing; }
   double getSampleSpacing() const { return judge_.sample_spacing; } ///< The value of setSampleSpacing.
@@ -65,7 +66,7 @@ public:
   /** The cutter. Must be set. */
   void setCutter(const CutterShape& cutter) { judge_.cutter = cutter; }
   const CutterShape& getCutter() const { return judge_.cutter; } ///< The value of setCutter.
-  /** Scallop height that the path was made for, mm; 0, the default: not known. */
+  /** Scallop height that the path was made for, mm; 0.05 by default. */
   void setScallopHeight(double height) { judge_.scallop_height = height; }
   double getScallopHeight() const { return judge_.scallop_height; } ///< The value of setScallopHeight.
   /** Chord error that the path was made for, mm; 0.005 by default. */
@@ -85,8 +86,13 @@ public:
     heights_ = Heights();
     reference_.reset();
     Verification found;
-    if (this->computeBy("PathVerifier", [&] { return run(found); }))
-      verification = std::move(found);
+    Heights heights;
+    std::shared_ptr<const ReferenceSurface> reference;
+    if (!this->computeBy("PathVerifier", [&] { return run(reference, found, heights); }))
+      return;
+    verification = std::move(found);
+    heights_ = std::move(heights);
+    reference_ = std::move(reference);
   }
 
   const Heights& getHeights() const { return heights_; } ///< Values behind the figures, for pictures and maps.
@@ -94,35 +100,47 @@ public:
   const std::shared_ptr<const ReferenceSurface>& getReferenceSurface() const { return reference_; }
 
 private:
-  Status run(Verification& verification)
+  Status run(std::shared_ptr<const ReferenceSurface>& reference, Verification& verification, Heights& heights)
   {
     if (this->given_surface_)
       return {StatusCode::InvalidArgument, "{setInputSurface} was called, but the whole scan is needed, which tells what stands beside the "
                                            "part: give the {cloud} ({setInputCloud}), or use {DeviationEstimation} and {MaterialRemoval}"};
     if (const Status status = checkThreads(this->getNumberOfThreads()); !status.ok())
       return status;
-    if (!judge_.mesh)
-      if (const Status status = this->checkInput(); !status.ok())
-        return status;
+    const ThreadLimit limit(this->getNumberOfThreads());
+    if (const Status status = this->on_mesh_ ? this->prepareMesh(mesh_settings_) : this->checkInput(); !status.ok())
+      return status;
     JudgedInput input;
-    input.cloud = this->template as<pcl::PointXYZ>(this->input_);
-    input.normals = this->getInputNormals();
-    input.indices = this->givenIndices();
+    if (this->on_mesh_) {
+      SurfaceSettings asked = this->surfaceSettings();
+      asked.clusters = SurfaceSettings().clusters; // of a scan
+      if (const Status status = checkBesideMesh(asked, this->getInputNormals() != nullptr, this->givenIndices() != nullptr); !status.ok())
+        return status;
+      input.settings.mesh = this->mesh_;
+    }
+    else {
+      input.cloud = this->template as<pcl::PointXYZ>(this->input_);
+      input.normals = this->getInputNormals();
+      input.indices = this->givenIndices();
+    }
     input.surface = this->surfaceSettings();
     input.choice = this->choice();
     input.regions = this->regions_;
     input.path = path_;
     input.raw = raw_;
     input.limits = limits_;
+    const SurfaceMesh::ConstPtr mesh = input.settings.mesh;
     input.settings = judge_;
+    input.settings.mesh = mesh;
     input.progress = progress_;
-    return verifyPath(input, reference_, verification, heights_);
+    return verifyPath(input, reference, verification, heights);
   }
 
   PathConstPtr path_;
   CloudConstPtr raw_;
   Limits limits_;
   JudgeSettings judge_;
+  MeshSettings mesh_settings_;
   ProgressCallback progress_;
   Heights heights_;
   std::shared_ptr<const ReferenceSurface> reference_;

@@ -31,7 +31,7 @@ struct SampledMesh {
   std::vector<std::uint32_t> faces;               ///< of the mesh as given, one per sample
 };
 
-/** One try to plan a region. A plan has all that were made, in their order; the last one is the plan. */
+/** One try to plan a region. A plan has all that were made, in their order; so has a failed one. */
 struct PlanAttempt {
   double margin = 0.0;          ///< PartChoice::margin, mm
   double strip_width = 0.0;     ///< strips beside keep-outs narrower than this are left out, point spacings; 0: none are
@@ -41,8 +41,9 @@ struct PlanAttempt {
 
 /** A path, and what it was made from. Lengths in mm. */
 struct SpiralPlan {
-  std::string region;              ///< its name; empty: the only one, or all together
-  std::vector<SpiralPlan> regions; ///< if there are several; all else is then of all together
+  std::string region; ///< its name; empty: the only one, or all together
+  std::vector<SpiralPlan>
+      regions; ///< if there are several; path, report, clouds, echoes and warnings are then of all together, settings of the first, the rest of none
 
   pcl::PointCloud<ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(); ///< all passes; never null
   SpiralSettings settings;                                                                       ///< as used

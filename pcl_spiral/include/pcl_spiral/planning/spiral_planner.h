@@ -53,12 +53,14 @@ public:
    *  regions in polygons and filters of points belong to scans. Null, the default: the scan counts. */
   void setInputMesh(const pcl::PolygonMesh::ConstPtr& mesh)
   {
+    this->given_surface_.reset();
     polygons_ = mesh;
     plan_input_.mesh.reset();
   }
   /** The same with a mesh made with your own settings; it is turned already. */
   void setInputMesh(const SurfaceMesh::ConstPtr& mesh)
   {
+    this->given_surface_.reset();
     polygons_.reset();
     plan_input_.mesh = mesh;
   }
@@ -108,6 +110,7 @@ private:
                                            "part: give the {cloud} ({setInputCloud}), or use {SpiralToolpathGenerator}"};
     if (const Status status = checkThreads(this->getNumberOfThreads()); !status.ok())
       return status;
+    const ThreadLimit limit(this->getNumberOfThreads());
     if (polygons_) {
       MeshSettings settings;
       settings.flip = this->getFlipNormals();
@@ -117,6 +120,9 @@ private:
     if (!plan_input_.mesh)
       if (const Status status = this->checkInput(); !status.ok())
         return status;
+    if (plan_input_.mesh && (this->getInputNormals() || this->givenIndices()))
+      return {StatusCode::InvalidArgument, Diagnostic(this->getInputNormals() ? "{setInputNormals}" : "{setIndices}",
+                                                      " belongs to scans, and a mesh is given ({setInputMesh}): leave one of the two out")};
     PlanInput input = plan_input_;
     input.settings = this->settings_;
     input.choice = this->choice();

@@ -31,6 +31,7 @@ struct JudgeSettings {
   bool trust_normals = false;                     ///< see SurfaceSettings
   bool flip_normals = false;
   unsigned int threads = 0;
+  bool largest_part = false;                        ///< of several separate parts judge by the largest
   Surface::ConstPtr surface;                        ///< of the scan, if it exists already; null: it is made
   SurfaceMesh::ConstPtr mesh = nullptr;             ///< to judge by instead of a scan; null: by the scan
   double sample_spacing = 0.0;                      ///< of its samples, mm; 0: chosen automatically

@@ -51,6 +51,10 @@ public:
   /** Called with the completed share; return false to cancel. If the check is repeated, the share starts at 0 again. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
+  /** If true, compute prints nothing to the console when it fails; false by default. The status is the same. */
+  void setQuiet(bool quiet) { quiet_ = quiet; }
+  bool getQuiet() const { return quiet_; } ///< The value of setQuiet.
+
   const Status& getStatus() const { return status_; }        ///< Result of the last compute.
   const LeadFigures& getFigures() const { return figures_; } ///< Figures of the last compute, against every point.
   /** Figures of the last compute without false echoes, if setLargestEcho was called: if no move collides here, all collisions of
@@ -78,6 +82,7 @@ protected:
 
 private:
   CutterShape cutter_;
+  bool quiet_ = false;
   std::vector<ToolSegment> holder_;
   double holder_clearance_ = 0.0;
   double tolerance_ = 0.05;

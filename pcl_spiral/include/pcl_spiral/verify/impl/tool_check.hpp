@@ -71,7 +71,7 @@ ToolCheck<PointT>::report(const char* name, Find find)
   status_ = find();
   if (!status_.ok())
     figures_ = obstacle_figures_ = LeadFigures();
-  if (!status_.ok() && status_.code() != StatusCode::Cancelled)
+  if (!quiet_ && !status_.ok() && status_.code() != StatusCode::Cancelled)
     PCL_ERROR("[pcl_spiral::%s::compute] %s\n", name, status_.message().c_str());
 }
 

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// DrivePlanner and PathVerifier from C++: what has no meaning is refused and not passed over, defaults judge, the last input counts, and
+// nothing is left of an older result.
+#include <pcl_spiral/planning/drive_planner.h>
+#include <pcl_spiral/planning/path_verifier.h>
+#include <pcl_spiral/planning/program_planner.h>
+#include <pcl_spiral/planning/spiral_planner.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace drive_planner_test {
+
+namespace {
+
+using namespace pcl_spiral;
+using Eigen::Vector3d;
+using Cloud = pcl::PointCloud<pcl::PointXYZ>;
+
+constexpr double ball = 100.0, rim = 40.0; // mm
+
+/** A cap of a sphere, its pole in the origin. */
+Cloud::Ptr
+cap()
+{
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (int i = 0; i < 9000; ++i) {
+    const double r = rim * std::sqrt(unit(random)), angle = 2.0 * M_PI * unit(random);
+    cloud->emplace_back(static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)),
+                        static_cast<float>(std::sqrt(ball * ball - r * r) - ball));
+  }
+  return cloud;
+}
+
+/** A square of the same sphere as a mesh. */
+SurfaceMesh::ConstPtr
+mesh()
+{
+  constexpr int cells = 20;
+  Cloud points;
+  pcl::PolygonMesh polygons;
+  for (int i = 0; i <= cells; ++i)
+    for (int k = 0; k <= cells; ++k) {
+      const double x = 2.0 * (i - cells / 2), y = 2.0 * (k - cells / 2);
+      points.emplace_back(static_cast<float>(x), static_cast<float>(y), static_cast<float>(std::sqrt(ball * ball - x * x - y * y) - ball));
+    }
+  pcl::toPCLPointCloud2(points, polygons.cloud);
+  for (int i = 0; i < cells; ++i)
+    for (int k = 0; k < cells; ++k) {
+      const pcl::index_t a = i * (cells + 1) + k, b = a + cells + 1;
+      for (const pcl::Indices& face : {pcl::Indices{a, b, b + 1}, pcl::Indices{a, b + 1, a + 1}}) {
+        polygons.polygons.emplace_back();
+        polygons.polygons.back().vertices = face;
+      }
+    }
+  SurfaceMesh::ConstPtr made;
+  EXPECT_TRUE(SurfaceMesh::make(polygons, {}, made).ok());
+  return made;
+}
+
+using Driver = DrivePlanner<pcl::PointXYZ>;
+using Verifier = PathVerifier<pcl::PointXYZ>;
+
+void
+setTool(Driver& planner)
+{
+  planner.setCutter(CutterShape::ball(4.0));
+  planner.setStepOver(2.0);
+  planner.setQuiet(true);
+}
+
+pcl::PointCloud<ToolpathPoint>::Ptr
+spiral()
+{
+  SpiralPlanner<pcl::PointXYZ> planner;
+  planner.setInputCloud(cap());
+  planner.setToolRadius(4.0);
+  planner.setScallopHeight(0.05);
+  planner.compute();
+  EXPECT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  return planner.getPlan().path;
+}
+
+} // namespace
+
+TEST(DrivePlanner, TheBallStandsOnTheSphereAndNoWhereElse)
+{
+  Driver planner;
+  planner.setInputCloud(cap());
+  setTool(planner);
+  std::vector<ToolPoses> passes;
+  planner.compute(passes);
+  ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  ASSERT_GT(passes.size(), 20U);
+  for (const ToolPoses& pass : passes)
+    for (const ToolPose& pose : pass)
+      if (pose.contact.head<2>().norm() < rim - 2.0)
+        ASSERT_NEAR((pose.tip + 4.0 * pose.axis - Vector3d(0.0, 0.0, -ball)).norm(), ball + 4.0, 0.02) << pose.contact.transpose();
+  EXPECT_EQ(planner.getPlan().poseCount(), joinedPasses(passes).path.size());
+}
+
+TEST(DrivePlanner, WhatHasNoMeaningForAMeshIsRefused)
+{
+  const std::vector<std::pair<const char*, std::function<void(Driver&)>>> settings{
+      {"setFlipNormals", [](Driver& d) { d.setFlipNormals(true); }},
+      {"setViewPoint", [](Driver& d) { d.setViewPoint(Vector3d(0.0, 0.0, 9.0)); }},
+      {"setThinning", [](Driver& d) { d.setThinning(1.0); }},
+      {"setPartAt", [](Driver& d) { d.setPartAt(Vector3d::Zero()); }},
+      {"setLargestPart", [](Driver& d) { d.setLargestPart(true); }},
+      {"setLeaveOutStrays", [](Driver& d) { d.setLeaveOutStrays(true); }},
+      {"addRegion",
+       [](Driver& d) {
+         d.addRegion({std::nullopt, Vector3d(0.0, 0.0, 0.0), ""});
+       }},
+      {"setCropBox", [](Driver& d) {
+         d.setCropBox({Vector3d(-9.0, -9.0, -9.0), Vector3d(9.0, 9.0, 9.0)});
+       }}};
+  for (const auto& [name, set] : settings) {
+    Driver planner;
+    planner.setInputMesh(mesh());
+    setTool(planner);
+    std::vector<ToolPoses> passes;
+    planner.compute(passes);
+    ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    set(planner);
+    planner.compute(passes);
+    EXPECT_EQ(planner.getStatus().code(), StatusCode::InvalidArgument) << name;
+    EXPECT_NE(planner.getStatus().message().find(name), std::string::npos) << planner.getStatus().message();
+    EXPECT_TRUE(passes.empty() && planner.getPlan().passes.empty());
+  }
+}
+
+TEST(DrivePlanner, ACutterThatIsNoneIsRefused)
+{
+  Driver planner;
+  planner.setInputCloud(cap());
+  planner.setQuiet(true);
+  std::vector<ToolPoses> passes;
+  planner.compute(passes);
+  EXPECT_NE(planner.getStatus().message().find("setCutter"), std::string::npos) << planner.getStatus().message();
+  CutterShape wrong = CutterShape::ball(4.0);
+  wrong.corner_radius = 5.0;
+  planner.setScallop(wrong, 0.05);
+  planner.compute(passes);
+  EXPECT_EQ(planner.getStatus().code(), StatusCode::InvalidArgument) << planner.getStatus().message();
+  planner.setScallop(CutterShape::ball(4.0), 0.05); // the step-over follows
+  planner.compute(passes);
+  EXPECT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  EXPECT_GT(passes.size(), 20U);
+}
+
+TEST(PathVerifier, JudgesByItsDefaultsAndFindsAGouge)
+{
+  Verifier verifier;
+  verifier.setInputCloud(cap());
+  verifier.setCutter(CutterShape::ball(4.0));
+  verifier.setQuiet(true);
+  const auto path = spiral();
+  verifier.setInputToolpath(path);
+  Limits limits;
+  limits.gouge = 0.02;
+  verifier.setLimits(limits);
+  Verification found;
+  verifier.compute(found);
+  ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+  EXPECT_TRUE(found.broken.empty());
+  EXPECT_LT(std::abs(found.deviation.max.value), 0.02);
+  EXPECT_EQ(verifier.getHeights().deviation.size(), path->size());
+
+  for (ToolpathPoint& p : *path)
+    p.z -= 0.1f;
+  verifier.compute(found);
+  ASSERT_TRUE(verifier.getStatus().ok());
+  EXPECT_FALSE(found.broken.empty()) << "a tenth of a millimetre deep";
+
+  verifier.setThinning(1.0);
+  verifier.compute(found);
+  EXPECT_NE(verifier.getStatus().message().find("setThinning"), std::string::npos) << verifier.getStatus().message();
+  EXPECT_TRUE(found.broken.empty() && found.deviation.points == 0 && !verifier.getReferenceSurface() &&
+              verifier.getHeights().deviation.empty());
+}
+
+TEST(PathVerifier, TheLastInputCounts)
+{
+  Verifier verifier;
+  verifier.setInputMesh(mesh());
+  verifier.setInputCloud(cap());
+  verifier.setCutter(CutterShape::ball(4.0));
+  verifier.setInputToolpath(spiral());
+  Verification found;
+  verifier.compute(found);
+  ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+  EXPECT_FALSE(verifier.getReferenceSurface()->mesh()) << "the scan was set last";
+  EXPECT_EQ(found.deviation.unmeasured, 0U);
+  verifier.setInputMesh(mesh());
+  verifier.compute(found);
+  ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+  EXPECT_TRUE(verifier.getReferenceSurface()->mesh());
+  EXPECT_GT(found.deviation.unmeasured, 0U) << "the mesh is smaller than the path";
+}
+
+TEST(ProgramPlanner, RefusesAThingOverTheLeadAndSaysWhere)
+{
+  const Cloud::Ptr cloud = cap();
+  SpiralPlanner<pcl::PointXYZ> planner;
+  planner.setInputCloud(cloud);
+  planner.setToolRadius(4.0);
+  planner.setScallopHeight(0.05);
+  planner.compute();
+  ASSERT_TRUE(planner.getStatus().ok());
+  SpiralPlan plan = planner.getPlan();
+  ProgramPlanner programs;
+  programs.setInputPlan(plan);
+  programs.setMachine(xyzacTrunnion());
+  MachineProgram program;
+  programs.compute(program);
+  ASSERT_TRUE(programs.getStatus().ok()) << programs.getStatus().message();
+  EXPECT_GT(program.blocks.size(), 1000U);
+
+  const ToolpathPoint& first = plan.path->front();
+  const Vector3d over = first.getVector3fMap().cast<double>() + 60.0 * first.getAxisVector3fMap().cast<double>();
+  const auto with_beam = pcl::make_shared<Cloud>(*cloud);
+  for (double x = -6.0; x <= 6.0; x += 0.5)
+    for (double y = -6.0; y <= 6.0; y += 0.5)
+      with_beam->emplace_back(static_cast<float>(over.x() + x), static_cast<float>(over.y() + y), static_cast<float>(over.z()));
+  plan.whole = with_beam;
+  programs.setInputPlan(plan);
+  programs.compute(program);
+  EXPECT_EQ(programs.getStatus().code(), StatusCode::Failed);
+  EXPECT_FALSE(programs.isMachineFault());
+  EXPECT_TRUE(program.blocks.empty());
+  ASSERT_FALSE(programs.getStatus().diagnostic().places().empty());
+  EXPECT_LT((programs.getStatus().diagnostic().places().front() - over).norm(), 12.0);
+  plan.tool.accepted = true;
+  programs.setInputPlan(plan);
+  programs.compute(program);
+  EXPECT_TRUE(programs.getStatus().ok());
+  EXPECT_FALSE(programs.getWarnings().empty());
+}
+
+} // namespace drive_planner_test
