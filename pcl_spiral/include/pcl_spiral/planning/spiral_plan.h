@@ -42,8 +42,8 @@ struct PlanAttempt {
 /** A path, and what it was made from. Lengths in mm. */
 struct SpiralPlan {
   std::string region; ///< its name; empty: the only one, or all together
-  std::vector<SpiralPlan>
-      regions; ///< if there are several; path, report, clouds, echoes and warnings are then of all together, settings of the first, the rest of none
+  /** If there are several; path, report, clouds, echoes and warnings are then of all together, settings of the first, the rest of none. */
+  std::vector<SpiralPlan> regions;
 
   pcl::PointCloud<ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(); ///< all passes; never null
   SpiralSettings settings;                                                                       ///< as used
