@@ -115,6 +115,16 @@ unnamed_setters() { # that the spiral names, but no program has an option for; i
   done
 }
 fault "setters in sentences without an option in tools/terminal/vocabulary.cpp" "$(unnamed_setters || true)"
+missing_setters() { # that planners name, but that no class a planner is made of has
+  grep -rhoE '\{(set|add|clear)[A-Z][A-Za-z]*\}' $library/src/planning $library/include/pcl_spiral/planning | tr -d '{}' | sort -u | while read -r setter; do
+    grep -rqE "\b$setter\(" $library/include/pcl_spiral/{planning,spiral,ridge,drive,surface,mesh/impl} || grep -rnF "{$setter}" $library/src/planning $library/include/pcl_spiral/planning
+  done
+}
+fault "setters in sentences of planners that no planner has" "$(missing_setters || true)"
+
+fault "planning steered by exceptions; a try gives a refusal" \
+  "$(grep -rnE '\b(try|catch)\b *[({]' $library/src/planning $library/include/pcl_spiral/planning $library/tools --include='*.cpp' --include='*.h' --include='*.hpp' |
+     grep -E "^$library/(src|include)/|/planning\.cpp:" || true)"
 
 flags='-march=native|-mavx|-ffast-math|-Ofast|PCL_NO_PRECOMPILE'
 fault "flags that break PCL's ABI, the same bytes everywhere, or the compile time" \

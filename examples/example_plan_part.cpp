@@ -36,7 +36,7 @@ try {
     std::cerr << planner.getStatus().message() << '\n';
     return 1;
   }
-  for (const pcl_spiral::Diagnostic& warning : planner.getReport().warnings)
+  for (const pcl_spiral::Diagnostic& warning : planner.getWarnings())
     std::cerr << warning << '\n';
   pcl_spiral::writeToolpath(argv[6], path, {planner.getToolRadius(), planner.getFeed()});
   std::cout << path.size() << " points, " << planner.getPlan().attempts.size() << " tries, " << planner.getPlan().part.beside.size()

@@ -6,6 +6,7 @@
 #include "run_program.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -263,6 +264,13 @@ TEST_F(BesideClamps, AStripIsLeftUncutOnlyWhereNoPathIsFoundWithItAndIsNamed)
     EXPECT_LT(area, 4.0 * 20.0) << narrow.err;
     EXPECT_EQ(readText(folder_.path("a.json")).find("a strip between a keep-out and the rim is not cut") == std::string::npos,
               places.empty());
+    const nlohmann::json report = nlohmann::json::parse(readText(folder_.path("a.json")));
+    if (!places.empty()) { // the first try is the whole part, and says why another one was made
+      ASSERT_TRUE(report.contains("tries"));
+      ASSERT_GE(report["tries"].size(), 2U);
+      EXPECT_EQ(report["tries"][0]["strip_width"], 0.0);
+      EXPECT_TRUE(report["tries"][0]["refusal"].is_string());
+    }
     for (const Vector3d& p : uncutPlaces(clamp, top, 3.0))
       EXPECT_TRUE(std::any_of(places.begin(), places.end(), [&](const Vector2d& q) { return (q - p.head<2>()).norm() < 0.5 * area; }))
           << "not cut and not named: " << p.transpose() << '\n'

@@ -283,6 +283,9 @@ TEST_F(DriveRegions, ThatCannotBeAreRefused)
   writeText(folder_.path("west.txt"), "-120 -40\n-78 -40\n-78 40\n-120 40\n");
   refuses({"--region", "west.txt", "--part-at", "85,10,7"}, 2, "this place is in no --region");
   refuses({"--part-at", "-75,0,4", "--part-at", "85,10,7", "--raw-scan", "missing.xyz"}, 1, "missing.xyz");
+  const RunResult raw = run(with(tool, {"--part-at", "-75,0,4", "--part-at", "85,10,7", "--raw-scan", "scan.xyz"}));
+  EXPECT_EQ(raw.code, 0) << "each region has a part of the raw scan: " << raw.err;
+  EXPECT_NE(raw.err.find("region 2 (--part-at 85,10,7): smoothing moved"), std::string::npos) << raw.err;
 }
 
 } // namespace drive_part_test

@@ -290,7 +290,8 @@ MachineProgramGenerator::compute(MachineProgram& program)
   if (status_.ok())
     return;
   program = MachineProgram();
-  PCL_ERROR("[pcl_spiral::MachineProgramGenerator::compute] %s.\n", status_.message().c_str());
+  if (!quiet_)
+    PCL_ERROR("[pcl_spiral::MachineProgramGenerator::compute] %s.\n", status_.message().c_str());
 }
 
 } // namespace pcl_spiral

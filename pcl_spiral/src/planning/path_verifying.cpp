@@ -4,6 +4,8 @@
 #include "planning/part_selection.h"
 #include "planning/plan_regions.h"
 
+#include <algorithm>
+
 namespace pcl_spiral {
 namespace {
 
@@ -11,6 +13,8 @@ namespace {
 Status
 choose(const JudgedInput& input, JudgeSettings& settings, pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud, JudgedSurroundings& around)
 {
+  if (settings.mesh && input.raw)
+    return {StatusCode::InvalidArgument, "{setRawScan} belongs to scans, and a mesh is given ({setInputMesh}): leave one of the two out"};
   if (settings.mesh)
     return checkPartOfMesh(input.choice, input.regions);
   if (input.regions.size() > 1)
@@ -42,7 +46,7 @@ compareRawScan(const pcl::PointCloud<pcl::PointXYZ>& raw, const Surface& smoothe
   if (points.empty())
     return {StatusCode::InvalidInput, "the raw scan has no points"};
   figures = compareWithRaw(smoothed, points);
-  if (2 * figures.points >= points.size())
+  if (2 * figures.points >= std::min(points.size(), smoothed.size())) // the surface may be of one region of the raw scan
     return Status::success();
   return {StatusCode::InvalidInput, Diagnostic(points.size() - figures.points, " of ", points.size(),
                                                " points of this raw scan have no smoothed surface near: is it another part, another "

@@ -107,6 +107,7 @@ AttemptResult
 choose(const PlanInput& input, const PartChoice& choice, const StripChoice& strips, const ProgressCallback& progress, StageClock& clock,
        SpiralPlan& plan)
 {
+  plan.part.part_at = choice.part_at;
   if (!plan.mesh) {
     const WholeScan scan{input.cloud, input.normals, input.settings, input.indices};
     if (const Status status = choosePart(scan, choice, {input.settings.tool_radius, leanOf(input.settings)}, strips, plan.part);

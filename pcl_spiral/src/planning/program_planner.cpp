@@ -8,6 +8,8 @@
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/verify/lead_check.h>
 
+#include <pcl/console/print.h>
+
 #include <algorithm>
 
 namespace pcl_spiral {
@@ -64,14 +66,14 @@ void
 ProgramPlanner::setInputPlan(const PassPlan& plan)
 {
   const ToolWay way = wayOf(plan);
-  const bool cuts = plan.tool.cutter.radius > 0.0 && plan.whole;
+  const bool cuts = plan.tool.cutter.radius > 0.0;
   planned_ = {plan.passes,
               cuts ? plan.whole : nullptr,
               way.points,
               way.mesh,
               way.remedy,
               plan.tool,
-              cuts && plan.gouges_checked,
+              cuts && plan.gouges_checked && (way.mesh || way.points),
               endsInBall(plan.tool.cutter) ? plan.tool.cutter.radius : 0.0,
               0.0,
               Eigen::AlignedBox3d()};
@@ -82,7 +84,9 @@ ProgramPlanner::usedSettings() const
 {
   ProgramSettings settings = settings_;
   settings.ball_radius = planned_.ball_radius;
-  settings.clear_box = planned_.clear_box;
+  settings.clear_box.extend(planned_.clear_box);
+  if (!planned_.whole)
+    settings.stay_down = 0.0;
   if (planned_.feed > 0.0)
     settings.feed = planned_.feed;
   return settings;
@@ -96,6 +100,7 @@ ProgramPlanner::makeLinked(const std::vector<std::size_t>& retracted, MachinePro
   generator.setSettings(usedSettings());
   generator.setInputPasses(planned_.passes);
   generator.setRetractedPasses(retracted);
+  generator.setQuiet(true);
   generator.compute(program);
   machine_fault_ = !generator.getStatus().ok();
   return generator.getStatus();
@@ -106,8 +111,13 @@ ProgramPlanner::makeLinked(const std::vector<std::size_t>& retracted, MachinePro
 Status
 ProgramPlanner::checkLeads(const MachineProgram& program)
 {
-  if (!planned_.whole)
+  if (!check_leads_)
     return Status::success();
+  if (!planned_.whole) {
+    if (planned_.tool.cutter.radius > 0.0)
+      warnings_.push_back("leads were not checked: the plan has no points of what stands around; let it sample its mesh ({setSampleMesh})");
+    return Status::success();
+  }
   LeadCheck<pcl::PointXYZ> check = leadCheckOf(planned_.whole, planned_.tool);
   check.setProgressCallback(progress_);
   check.compute(program);
@@ -145,6 +155,8 @@ ProgramPlanner::run(MachineProgram& program)
   if (const Status status = make(program); !status.ok())
     return status;
   warnings_ = programWarnings(program);
+  if (!planned_.whole && settings_.stay_down > 0.0)
+    warnings_.push_back("no link stays near the surface ({ProgramSettings::stay_down}): the plan has no points of what stands around");
   if (!(planned_.tool.cutter.radius > 0.0))
     return checkBeam(program);
   if (const Status status = checkLeads(program); !status.ok() || !planned_.check_holder)
@@ -162,8 +174,10 @@ ProgramPlanner::run(PassLinks& links)
     if (pass.size() > 4)
       pass.erase(pass.begin() + 2, pass.end() - 2);
   MachineProgram program;
-  if (const Status status = ends.make(program); !status.ok())
+  if (const Status status = ends.make(program); !status.ok()) {
+    machine_fault_ = ends.machine_fault_;
     return status;
+  }
   const Status status = ends.checkLeads(program);
   warnings_ = ends.warnings_;
   links = linksOf(program);
@@ -186,7 +200,11 @@ ProgramPlanner::computeBy(Made& made)
   machine_fault_ = false;
   Made result;
   status_ = Status::unfinished();
-  status_ = run(result);
+  const bool empty = std::all_of(planned_.passes.begin(), planned_.passes.end(), [](const ToolPoses& pass) { return pass.empty(); });
+  status_ = empty ? Status(StatusCode::InvalidInput, "there is no plan with a path: call {setInputPlan} with one whose status is ok")
+                  : run(result);
+  if (!quiet_ && !status_.ok() && status_.code() != StatusCode::Cancelled)
+    PCL_ERROR("[pcl_spiral::ProgramPlanner::compute] %s\n", status_.message().c_str());
   if (status_.ok())
     made = std::move(result);
 }
@@ -213,13 +231,13 @@ PassLinks
 linksOf(const MachineProgram& program)
 {
   PassLinks links;
-  std::size_t positions = 0;
+  bool begun = false;
   for (const ProgramBlock& block : program.blocks) {
     if (block.section != BlockSection::Position)
       continue;
-    links.height = positions++ > 0 ? std::max(links.height, block.tip.z()) : block.tip.z();
+    links.height = begun ? std::max(links.height, block.tip.z()) : block.tip.z();
+    begun = true;
   }
-  links.count = positions > 0 ? positions - 1 : 0;
   return links;
 }
 

@@ -177,8 +177,10 @@ planSpiral(const PlanInput& input, SpiralPlan& plan)
     plan = std::move(made.front());
   else {
     plan = base;
-    if (const Status status = joinPlans(std::move(made), plan); !status.ok())
+    if (const Status status = joinPlans(std::move(made), plan); !status.ok()) {
+      plan = SpiralPlan();
       return status;
+    }
   }
   for (const StageCost& stage : stages)
     addStage(stage, plan.report.stages);

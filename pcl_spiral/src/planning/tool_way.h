@@ -5,8 +5,6 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/core/cutter_profile.h>
-#include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/planning/led_tool.h>

@@ -120,7 +120,7 @@ addWarnings(const Job& job, Result& result)
   if (result.mesh)
     return;
   const auto add = [&](const std::string& name, const OuterSide& side, const Surface::ConstPtr& surface) {
-    for (const Diagnostic& warning : warningsOf(job, result.asked_side, side, surface))
+    for (const Diagnostic& warning : inRegion(name, [&] { return warningsOf(job, result.asked_side, side, surface); }))
       result.warnings.push_back(name.empty() ? warning : Diagnostic(name, ": ", warning));
   };
   if (result.regions.empty())

@@ -34,8 +34,6 @@ void
 addMoves(const PassJob& job, PassResult& result)
 {
   ProgramPlanner planner = plannerOf(job, result);
-  Diagnostics warnings;
-  result.moves = plannedMoves(job.part, job.quiet, planner, warnings);
-  if (!result.program) // it has the same
-    result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
+  planner.setCheckLeads(!result.program); // those of a program are checked
+  result.moves = plannedMoves(job.part, job.quiet, planner, result.warnings);
 }

@@ -39,6 +39,7 @@ void
 run(bool quiet, ProgramPlanner& planner, Made& made)
 {
   ProgressBar bar(quiet);
+  planner.setQuiet(true);
   planner.setProgressCallback([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
   planner.compute(made);
   bar.clear();
@@ -87,7 +88,7 @@ plannedLinks(const std::string& file, bool quiet, ProgramPlanner& planner, Diagn
 {
   PassLinks links;
   run(quiet, planner, links);
-  requireMade(file, file, planner);
+  requireMade(xyzacTrunnion().name, file, planner);
   warnings.insert(warnings.end(), planner.getWarnings().begin(), planner.getWarnings().end());
   return links;
 }

@@ -40,6 +40,7 @@ constexpr SettingWords settings[] = {
     {"setKind", "drive"},
     {"MeshSettings::crease_angle", "crease-angle"},
     {"ProgramSettings::lead", "lead-in"},
+    {"ProgramSettings::stay_down", "stay-down"},
     {"ProgramSettings::lead_length", "lead-length"},
     {"setLeaveOutStrays", "leave-out-strays"},
     {"PassSettings::max_retilt", "max-retilt"},

@@ -137,7 +137,7 @@ RegionReport
 reportOf(const Result& result, std::size_t k, const Pictures& pictures)
 {
   const SpiralPlan& region = result.plan.regions[k];
-  RegionReport report{region.region, inScan(region.report), std::nullopt, {}};
+  RegionReport report{region.region, inScan(region.report), std::nullopt, {}, region.attempts};
   if (result.regions[k].verification)
     report.verification = inScan(*result.regions[k].verification);
   if (k < pictures.of_regions.size())
@@ -151,6 +151,7 @@ writeReport(const Job& job, const Result& result, const std::string& title, cons
   RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), readingWarnings(result), {}, job.options};
   run.shift = scanShift();
   run.words = programWords();
+  run.attempts = result.plan.attempts;
   const SpiralPlan& plan = result.plan;
   if (plan.mesh)
     run.mesh = RunMesh{plan.mesh->counts, plan.mesh->spacing};

@@ -36,10 +36,8 @@ addMoves(const Job& job, Result& result)
 {
   StageClock clock(result.plan.report.stages);
   ProgramPlanner planner = plannerOf(job, result.plan);
-  Diagnostics warnings;
-  result.moves = plannedMoves(job.scan, job.quiet, planner, warnings);
-  if (!result.program) // it has the same
-    result.plan.report.warnings.insert(result.plan.report.warnings.end(), warnings.begin(), warnings.end());
+  planner.setCheckLeads(!result.program); // those of a program are checked
+  result.moves = plannedMoves(job.scan, job.quiet, planner, result.plan.report.warnings);
   clock.end("leads");
 }
 

@@ -80,6 +80,7 @@ settingsOf(const Job& job, const Result& result)
 {
   SpiralSettings settings = job.settings;
   settings.trust_normals = false; // they come from a file: normals without a common side are not used, with a warning
+  settings.flip_normals = job.settings.flip_normals && !job.mesh; // the mesh is turned already
   settings.clusters = job.part.clusters;
   settings.centre = fromScan(settings.centre);
   settings.start_point = fromScan(settings.start_point);
@@ -164,6 +165,7 @@ plan(const Job& job)
   requireOk(job, planner.getStatus());
   result.plan = planner.getPlan();
   result.regions.resize(result.plan.regions.size());
+  result.plan.settings.flip_normals = job.settings.flip_normals;
   addWarnings(job, result.side, result.plan);
   addStage(stages.front(), result.plan.report.stages);
   if (!result.plan.regions.empty() && !hasProgram(job.program, job.outputs)) // the leads of a program are checked when it is there

@@ -135,6 +135,72 @@ TEST(DrivePlanner, WhatHasNoMeaningForAMeshIsRefused)
   }
 }
 
+TEST(ProgramPlanner, LeadsOverAMeshAreCheckedOrItSaysThatTheyAreNot)
+{
+  for (const bool samples : {true, false}) {
+    Driver planner;
+    planner.setInputMesh(mesh());
+    setTool(planner);
+    EXPECT_TRUE(planner.getSampleMesh());
+    planner.setSampleMesh(samples);
+    planner.compute();
+    ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    ProgramPlanner programs;
+    programs.setInputPlan(planner.getPlan());
+    programs.setMachine(xyzacTrunnion());
+    std::vector<ToolMoves> moves;
+    programs.compute(moves);
+    ASSERT_TRUE(programs.getStatus().ok()) << programs.getStatus().message();
+    EXPECT_EQ(programs.getWarnings().empty(), samples);
+    EXPECT_EQ(moves.size(), planner.getPlan().passes.size());
+  }
+}
+
+TEST(ProgramPlanner, WithoutAPathThereIsNoProgramAndNoMoves)
+{
+  ProgramPlanner programs;
+  programs.setQuiet(true);
+  programs.setMachine(xyzacTrunnion());
+  SpiralPlanner<pcl::PointXYZ> failed;
+  failed.setQuiet(true);
+  failed.compute();
+  programs.setInputPlan(failed.getPlan());
+  MachineProgram program;
+  programs.compute(program);
+  EXPECT_NE(programs.getStatus().message().find("setInputPlan"), std::string::npos) << programs.getStatus().message();
+  std::vector<ToolMoves> moves(2);
+  programs.compute(moves);
+  EXPECT_EQ(programs.getStatus().code(), StatusCode::InvalidInput);
+  EXPECT_TRUE(moves.empty());
+}
+
+TEST(ProgramPlanner, AFeedThatIsNoneIsAFaultOfTheGenerator)
+{
+  Driver planner;
+  planner.setInputCloud(cap());
+  setTool(planner);
+  planner.compute();
+  ASSERT_TRUE(planner.getStatus().ok());
+  ProgramPlanner programs;
+  programs.setQuiet(true);
+  programs.setInputPlan(planner.getPlan());
+  programs.setMachine(xyzacTrunnion());
+  ProgramSettings settings;
+  settings.feed = 0.0;
+  programs.setSettings(settings);
+  MachineProgram program;
+  programs.compute(program);
+  EXPECT_FALSE(programs.getStatus().ok());
+  EXPECT_TRUE(programs.isMachineFault());
+  settings.feed = 1000.0;
+  settings.clear_box.extend(Vector3d(0.0, 0.0, 200.0)); // of a thing that was not scanned
+  programs.setSettings(settings);
+  programs.compute(program);
+  ASSERT_TRUE(programs.getStatus().ok()) << programs.getStatus().message();
+  EXPECT_FALSE(programs.isMachineFault());
+  EXPECT_GT(linksOf(program).height, 200.0);
+}
+
 TEST(DrivePlanner, ACutterThatIsNoneIsRefused)
 {
   Driver planner;

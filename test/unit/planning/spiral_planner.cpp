@@ -118,6 +118,8 @@ TEST(SpiralPlanner, TheBallStaysOutOfAKeepOutWhereverTheClampStands)
     ASSERT_TRUE(planner.getStatus().ok()) << x << ": " << planner.getStatus().message();
     EXPECT_GT(clearance(path, x), 0.0) << x;
     EXPECT_GT(planner.getPlan().part.kept_out.size(), 50U) << "the top of the clamp";
+    ASSERT_FALSE(planner.getWarnings().empty());
+    EXPECT_EQ(planner.getWarnings().front().settings(), std::vector<std::string>{"addKeepOut"}) << "how much is not cut";
     EXPECT_EQ(path.size(), planner.getPlan().path->size());
   }
 }

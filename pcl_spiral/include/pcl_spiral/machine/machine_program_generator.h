@@ -88,6 +88,10 @@ public:
    *  setting out of range, a tool axis out of reach, an axis beyond its limits. */
   void compute(MachineProgram& program);
 
+  /** If true, compute prints nothing to the console when it fails; false by default. The status is the same. */
+  void setQuiet(bool quiet) { quiet_ = quiet; }
+  bool getQuiet() const { return quiet_; } ///< The value of setQuiet.
+
   const Status& getStatus() const { return status_; } ///< Result of the last compute.
 
 private:
@@ -99,6 +103,7 @@ private:
   std::optional<double> path_radius_; ///< of setInputPath
   std::vector<std::size_t> retracted_;
   ProgramSettings settings_;
+  bool quiet_ = false;
   Status status_;
 };
 

@@ -53,7 +53,7 @@ public:
   /** If false, the cutter stands at the contacts of a mesh, and nothing looks at the rest of it; true by default. */
   void setGougeCheck(bool check) { check_gouges_ = check; }
   bool getGougeCheck() const { return check_gouges_; } ///< The value of setGougeCheck.
-  /** The plan has samples of the mesh, for LeadCheck; off by default. */
+  /** The plan has samples of the mesh, by which ProgramPlanner checks leads; on by default. */
   void setSampleMesh(bool sample) { sample_mesh_ = sample; }
   bool getSampleMesh() const { return sample_mesh_; } ///< The value of setSampleMesh.
 
@@ -72,6 +72,13 @@ public:
   }
 
   const PassPlan& getPlan() const { return plan_; } ///< The last plan.
+  /** Warnings of the last plan: of choosing the part, and of the passes. */
+  Diagnostics getWarnings() const
+  {
+    Diagnostics warnings = plan_.chosen.warnings;
+    warnings.insert(warnings.end(), plan_.warnings.begin(), plan_.warnings.end());
+    return warnings;
+  }
 
 private:
   Status run()
@@ -115,7 +122,7 @@ private:
 
   PassSettings tool_;
   MeshSettings mesh_settings_;
-  bool leave_out_strays_ = false, check_gouges_ = true, sample_mesh_ = false;
+  bool leave_out_strays_ = false, check_gouges_ = true, sample_mesh_ = true;
   PassPlan plan_;
 };
 

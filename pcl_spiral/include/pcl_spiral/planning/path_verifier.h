@@ -111,6 +111,7 @@ private:
     if (const Status status = this->on_mesh_ ? this->prepareMesh(mesh_settings_) : this->checkInput(); !status.ok())
       return status;
     JudgedInput input;
+    input.settings = judge_;
     if (this->on_mesh_) {
       SurfaceSettings asked = this->surfaceSettings();
       asked.clusters = SurfaceSettings().clusters; // of a scan
@@ -129,9 +130,6 @@ private:
     input.path = path_;
     input.raw = raw_;
     input.limits = limits_;
-    const SurfaceMesh::ConstPtr mesh = input.settings.mesh;
-    input.settings = judge_;
-    input.settings.mesh = mesh;
     input.progress = progress_;
     return verifyPath(input, reference, verification, heights);
   }

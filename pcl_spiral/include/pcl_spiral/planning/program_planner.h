@@ -15,10 +15,9 @@
 
 namespace pcl_spiral {
 
-/** The ways of the tool between passes. Lengths in mm. */
+/** The ways of the tool between passes. */
 struct PassLinks {
-  std::size_t count = 0; ///< of links
-  double height = 0.0;   ///< of the highest tip on them, along the direction of the first rotary axis
+  double height = 0.0; ///< of the highest tip on them, along the direction of the first rotary axis, mm
 };
 
 /** The links of \p program on which the tool goes up, over, and down again. */
@@ -26,7 +25,8 @@ PassLinks linksOf(const MachineProgram& program);
 
 /** Makes the program of a plan, as pcl_spiral_toolpath, pcl_spiral_drive and pcl_spiral_ridge do: MachineProgramGenerator, with a link near
  *  the surface only where it is free (ProgramSettings::stay_down), then the checks of leads (LeadCheck) and of shank and holder as the
- *  machine moves them (HolderCheck). Rapids cross above everything in the scan. A beam is checked for places where it nearly stops.
+ *  machine moves them (HolderCheck). Rapids of a spiral over a part cross above everything in the scan. A beam is checked for places where
+ *  it nearly stops.
  *  \code
  *  ProgramPlanner planner;
  *  planner.setInputPlan(spiral.getPlan());
@@ -42,12 +42,21 @@ public:
   /** The plan of passes; the feed is that of setSettings. */
   void setInputPlan(const PassPlan& plan);
 
-  void setMachine(const Machine& machine) { machine_ = machine; } ///< The machine of the program.
-  const Machine& getMachine() const { return machine_; }          ///< The value of setMachine.
-  /** Leads, links, heights and tolerances. Its clear_box and ball_radius are not used, nor with a spiral its feed: they are of the plan. */
+  /** The machine of the program. Must be set for one; moves and links need none. */
+  void setMachine(const Machine& machine) { machine_ = machine; }
+  const Machine& getMachine() const { return machine_; } ///< The value of setMachine.
+  /** Leads, links, heights and tolerances. The ball radius is that of the plan, and for a spiral the feed, too; rapids cross above
+   *  clear_box and above the box of the plan (SpiralPlan::clearBox). Without points of what stands around no link stays near the
+   *  surface. */
   void setSettings(const ProgramSettings& settings) { settings_ = settings; }
   const ProgramSettings& getSettings() const { return settings_; } ///< The value of setSettings.
-  /** Called with the share done; return false to cancel. */
+  /** If false, leads are not looked at, as for moves of a plan whose program was checked; true by default. */
+  void setCheckLeads(bool check) { check_leads_ = check; }
+  bool getCheckLeads() const { return check_leads_; } ///< The value of setCheckLeads.
+  /** If true, compute prints nothing to the console when it fails; false by default. The status is the same. */
+  void setQuiet(bool quiet) { quiet_ = quiet; }
+  bool getQuiet() const { return quiet_; } ///< The value of setQuiet.
+  /** Called with the share done, of leads and then of the holder; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
   /** Makes the program. \p program is empty on failure: as MachineProgramGenerator, or the tool would touch the scan and that is not
@@ -62,7 +71,7 @@ public:
 
   const Status& getStatus() const { return status_; }          ///< Result of the last compute.
   const Diagnostics& getWarnings() const { return warnings_; } ///< Warnings of the last compute.
-  /** Whether the last compute failed because the machine cannot make the moves. */
+  /** Whether the last compute failed in MachineProgramGenerator: on the machine, which cannot make the moves, or on the settings. */
   bool isMachineFault() const { return machine_fault_; }
 
 private:
@@ -74,9 +83,9 @@ private:
     SurfaceMesh::ConstPtr mesh;
     Diagnostic remedy; ///< against collisions of the holder
     LedTool tool;
-    bool check_holder = false;
-    double ball_radius = 0.0; ///< 0: no ball
-    double feed = 0.0;        ///< mm/min; 0: that of the settings
+    bool check_holder = false; ///< not at contacts that nobody checked
+    double ball_radius = 0.0;  ///< 0: no ball
+    double feed = 0.0;         ///< mm/min; 0: that of the settings
     Eigen::AlignedBox3d clear_box;
   };
 
@@ -96,7 +105,7 @@ private:
   ProgressCallback progress_;
   Status status_;
   Diagnostics warnings_;
-  bool machine_fault_ = false;
+  bool machine_fault_ = false, check_leads_ = true, quiet_ = false;
 };
 
 } // namespace pcl_spiral

@@ -69,7 +69,7 @@ public:
   void setSampleSpacing(double spacing) { plan_input_.sample_spacing = spacing; }
   double getSampleSpacing() const { return plan_input_.sample_spacing; } ///< The value of setSampleSpacing.
 
-  /** Distance from the centre of the ball to the holder, mm; 0 by default. */
+  /** Distance from the centre of the ball to the holder, mm. Must be set, above 0, if there is a holder. */
   void setFlankLength(double length) { plan_input_.flank_length = length; }
   double getFlankLength() const { return plan_input_.flank_length; } ///< The value of setFlankLength.
   /** A planner of the user's own in place of the spiral; null, the default: none. */
@@ -101,6 +101,13 @@ public:
 
   const SpiralPlan& getPlan() const { return plan_; }            ///< The last plan: regions, what is left uncut, tries.
   const SpiralReport& getReport() const { return plan_.report; } ///< Figures and warnings of the last path.
+  /** Warnings of the last plan: of choosing the part, and of the path. */
+  Diagnostics getWarnings() const
+  {
+    Diagnostics warnings = plan_.part.warnings;
+    warnings.insert(warnings.end(), plan_.report.warnings.begin(), plan_.report.warnings.end());
+    return warnings;
+  }
 
 private:
   Status run()
@@ -117,6 +124,9 @@ private:
       if (const Status status = SurfaceMesh::make(*polygons_, settings, plan_input_.mesh); !status.ok())
         return status;
     }
+    else if (plan_input_.mesh && this->getFlipNormals())
+      return {StatusCode::InvalidArgument, "{setFlipNormals} was called, but the mesh given is prepared already: turn it by "
+                                           "{MeshSettings::flip}, or give its polygons"};
     if (!plan_input_.mesh)
       if (const Status status = this->checkInput(); !status.ok())
         return status;

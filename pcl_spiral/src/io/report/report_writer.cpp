@@ -221,6 +221,19 @@ inputJson(const RunFiles& files)
   return {{"file", files.scan}, {"unit", choiceName(files.unit)}, {"origin", toJson(files.origin)}, {"shift", toJson(files.shift)}};
 }
 
+/** Adds the tries, if there is more than one, each with the reason why the next one was made. */
+void
+addTries(const std::vector<PlanAttempt>& attempts, const Vocabulary& words, Json& json)
+{
+  for (std::size_t i = 0; attempts.size() > 1 && i < attempts.size(); ++i) {
+    const PlanAttempt& one = attempts[i];
+    json["tries"].push_back({{"margin", one.margin},
+                             {"strip_width", one.strip_width},
+                             {"strips_cut", one.cut},
+                             {"refusal", one.refusal.empty() ? Json() : Json(one.refusal.text(words))}});
+  }
+}
+
 /** What a report has of the whole run, of one region. */
 Json
 regionJson(const RegionReport& region, const RunFiles& files, double feed)
@@ -236,6 +249,7 @@ regionJson(const RegionReport& region, const RunFiles& files, double feed)
                {"seconds", secondsJson(report.stages)},
                {"warnings", textsOf(report.warnings, files.words)},
                {"diagnostics", diagnosticsJson(report.warnings, files.words, files.shift)}};
+  addTries(region.attempts, files.words, json);
   if (region.verification)
     json["verification"] = verificationJson(*region.verification, files.words, files.shift);
   return json;
@@ -263,6 +277,7 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
                {"memory", memoryJson(report.stages)},
                {"warnings", textsOf(warnings, files.words)},
                {"diagnostics", diagnosticsJson(warnings, files.words, files.shift)}};
+  addTries(files.attempts, files.words, json);
   if (files.mesh)
     json["mesh"] = meshJson(*files.mesh);
   if (verification)

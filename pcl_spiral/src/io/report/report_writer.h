@@ -10,6 +10,7 @@
 #include "verification_writer.h"
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/planning/spiral_plan.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 
@@ -36,6 +37,7 @@ struct RunFiles {
   RunOptions options = {};                         ///< of the program, as they were given
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift; places are in the coordinates of the scan
   Vocabulary words = {};                           ///< of what the run says
+  std::vector<PlanAttempt> attempts = {};          ///< of a run of one region
 };
 
 /** One of several regions of a run. */
@@ -44,6 +46,7 @@ struct RegionReport {
   SpiralReport report;
   std::optional<Verification> verification; ///< absent: not judged
   std::vector<ReportPicture> judged;        ///< pictures of its verification
+  std::vector<PlanAttempt> attempts = {};   ///< to plan it
 };
 
 /** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the figures of the path if it was
