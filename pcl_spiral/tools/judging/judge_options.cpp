@@ -35,7 +35,7 @@ readArguments(int argc, const char* const* argv, const po::options_description& 
               given);
   }
   catch (const po::error& error) {
-    throw UsageError(Diagnostic(std::string(error.what())));
+    throw UsageError(pcl_spiral::Diagnostic(std::string(error.what())));
   }
   return given;
 }
@@ -120,10 +120,10 @@ scanOptions(const po::variables_map& given)
   return read;
 }
 
-JudgeSettings
+pcl_spiral::JudgeSettings
 cutterOptions(const po::variables_map& given)
 {
-  JudgeSettings settings;
+  pcl_spiral::JudgeSettings settings;
   settings.scallop_height = 0.05;
   settings.chord_error = 0.005;
   settings.flip_normals = given.count("flip-normals") > 0;
@@ -148,7 +148,7 @@ cutterOptions(const po::variables_map& given)
           "--scallop must be above 0 mm and below the tool radius, such as 0.05");
   for (const char* name : {"corner-radius", "flank-length", "flank-angle"})
     require(radius_given || given.count(name) == 0,
-            Diagnostic("--", std::string(name), ": no --tool-radius is given; give the radius of the cutter too"));
+            pcl_spiral::Diagnostic("--", std::string(name), ": no --tool-radius is given; give the radius of the cutter too"));
   if (radius_given)
     completeCutter(given.count("corner-radius") > 0, settings.cutter);
   require(settings.chord_error > 0.0, "--chord-error must be above 0 mm, such as 0.005");
@@ -172,11 +172,12 @@ meshOptions(const po::variables_map& given)
 {
   const bool mesh = given.count("mesh") > 0;
   for (const char* name : {"crease-angle", "sample-spacing"})
-    require(mesh || given.count(name) == 0, Diagnostic("--", std::string(name), " belongs to meshes; add --mesh, or leave it out"));
+    require(mesh || given.count(name) == 0,
+            pcl_spiral::Diagnostic("--", std::string(name), " belongs to meshes; add --mesh, or leave it out"));
   for (const char* name : {"columns", "skip-lines", "view-point", "part-at", "region", "crop", "keep-out", "clusters"})
-    require(!mesh || given.count(name) == 0, Diagnostic("--", std::string(name),
-                                                        " belongs to scans; the faces of a mesh define its side: leave "
-                                                        "it out, or turn the mesh over (--flip-normals)"));
+    require(!mesh || given.count(name) == 0, pcl_spiral::Diagnostic("--", std::string(name),
+                                                                    " belongs to scans; the faces of a mesh define its side: leave "
+                                                                    "it out, or turn the mesh over (--flip-normals)"));
   if (!mesh)
     return std::nullopt;
   MeshChoice choice;
@@ -192,7 +193,7 @@ meshOptions(const po::variables_map& given)
 }
 
 void
-require(bool holds, const Diagnostic& message)
+require(bool holds, const pcl_spiral::Diagnostic& message)
 {
   if (!holds)
     throw UsageError(message);

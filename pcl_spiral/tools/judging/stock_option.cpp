@@ -9,6 +9,6 @@ checkStockFiles(const std::vector<std::string>& files)
 {
   for (const std::string& file : files)
     if (const std::string extension = extensionOf(file); extension != ".ply" && extension != ".stl")
-      throw UsageError(
-          Diagnostic("--stock ", file, ": the surface after cutting is a .ply or .stl file; give one of these, such as left.ply"));
+      throw UsageError(pcl_spiral::Diagnostic("--stock ", file,
+                                              ": the surface after cutting is a .ply or .stl file; give one of these, such as left.ply"));
 }

@@ -13,10 +13,10 @@ segmentsOf(const std::string& value)
   for (const std::string& piece : piecesOf(value)) {
     const std::vector<std::string> words = listValue(piece);
     if (words.size() != 2 && words.size() != 3)
-      throw UsageError(
-          Diagnostic("--holder ", value,
-                     ": give segments as radius,length or lower radius,upper radius,length, separated by slashes, from the flank "
-                     "upwards, such as 6,40/20,25,60"));
+      throw UsageError(pcl_spiral::Diagnostic(
+          "--holder ", value,
+          ": give segments as radius,length or lower radius,upper radius,length, separated by slashes, from the flank "
+          "upwards, such as 6,40/20,25,60"));
     const double lower = numberValue("holder", words[0]);
     const double upper = words.size() == 3 ? numberValue("holder", words[1]) : lower;
     segments.push_back(
@@ -39,8 +39,8 @@ holderOptions(std::vector<pcl_spiral::ToolSegment>& holder, double& clearance)
 void
 checkHolder(const std::set<std::string>& given, const std::vector<pcl_spiral::ToolSegment>& holder, double clearance, double flank_length)
 {
-  if (const Diagnostic fault = pcl_spiral::faultOf(holder); !fault.empty())
-    throw UsageError(Diagnostic("--holder: ", fault));
+  if (const pcl_spiral::Diagnostic fault = pcl_spiral::faultOf(holder); !fault.empty())
+    throw UsageError(pcl_spiral::Diagnostic("--holder: ", fault));
   if (given.count("holder-clearance") > 0 && holder.empty())
     throw UsageError("--holder-clearance: no --holder is given; give one, or leave it out");
   requireOption(clearance >= 0.0, "holder-clearance", clearance, "must not be below 0 mm");

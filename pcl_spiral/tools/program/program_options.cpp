@@ -12,7 +12,8 @@ tolerance(const std::string& name, const std::string& help, pcl_spiral::BlockTol
   return {name, "MM,DEG", help, [name, &target](const std::string& value) {
             const std::vector<std::string> words = listValue(value);
             if (words.size() != 2)
-              throw UsageError(Diagnostic("--", name, " ", value, ": give mm for the tip and degrees for the axis, such as 0.01,0.1"));
+              throw UsageError(
+                  pcl_spiral::Diagnostic("--", name, " ", value, ": give mm for the tip and degrees for the axis, such as 0.01,0.1"));
             target = {numberValue(name, words[0]), pcl_spiral::degree * numberValue(name, words[1])};
           }};
 }

@@ -23,7 +23,7 @@ std::string
 scalar(const std::string& file, const YAML::Node& node)
 {
   if (!node.IsScalar())
-    throw FileError(file, Diagnostic(line(node), "a value or a list of values is needed after the name"));
+    throw FileError(file, pcl_spiral::Diagnostic(line(node), "a value or a list of values is needed after the name"));
   return node.as<std::string>();
 }
 
@@ -37,7 +37,7 @@ load(const std::string& file)
     return YAML::Load(text);
   }
   catch (const YAML::Exception& error) {
-    throw FileError(file, Diagnostic(std::string(error.what())));
+    throw FileError(file, pcl_spiral::Diagnostic(std::string(error.what())));
   }
 }
 
@@ -83,7 +83,7 @@ readJobFile(const std::string& file, const OptionTable& table)
   for (const auto& entry : job) {
     const std::string name = scalar(file, entry.first);
     if (!findOption(table, name) || name == "config" || name == "help" || name == "version")
-      throw UsageError(Diagnostic(file, ": ", line(entry.first), "'", name, "' is not a setting", suggestion(table, name)));
+      throw UsageError(pcl_spiral::Diagnostic(file, ": ", line(entry.first), "'", name, "' is not a setting", suggestion(table, name)));
     if (!entry.second.IsSequence()) {
       values.emplace_back(name, scalar(file, entry.second));
       continue;

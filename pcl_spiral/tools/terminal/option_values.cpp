@@ -14,15 +14,15 @@ numberValue(const std::string& name, const std::string& value)
   double result = 0.0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
   if (error != std::errc() || end != value.data() + value.size() || !std::isfinite(result))
-    throw UsageError(Diagnostic("--", name, " ", value, ": this is not a number; write it as 12.5"));
+    throw UsageError(pcl_spiral::Diagnostic("--", name, " ", value, ": this is not a number; write it as 12.5"));
   return result;
 }
 
 void
-requireOption(bool holds, const std::string& option, double value, const Diagnostic& rule)
+requireOption(bool holds, const std::string& option, double value, const pcl_spiral::Diagnostic& rule)
 {
   if (!holds)
-    throw UsageError(Diagnostic("--", option, " ", pcl_spiral::Diagnostic(value), ": ", rule));
+    throw UsageError(pcl_spiral::Diagnostic("--", option, " ", pcl_spiral::Diagnostic(value), ": ", rule));
 }
 
 int
@@ -30,7 +30,7 @@ wholeNumberValue(const std::string& name, const std::string& value)
 {
   const double result = numberValue(name, value);
   if (result != std::round(result) || std::abs(result) > 1e9)
-    throw UsageError(Diagnostic("--", name, " ", value, ": this is not a whole number; write it as 4"));
+    throw UsageError(pcl_spiral::Diagnostic("--", name, " ", value, ": this is not a whole number; write it as 4"));
   return static_cast<int>(result);
 }
 
@@ -63,6 +63,6 @@ placeValue(const std::string& name, const std::string& value)
 {
   const std::vector<std::string> words = listValue(value);
   if (words.size() != 3)
-    throw UsageError(Diagnostic("--", name, " ", value, ": give three numbers separated by commas, such as 10,-5,120"));
+    throw UsageError(pcl_spiral::Diagnostic("--", name, " ", value, ": give three numbers separated by commas, such as 10,-5,120"));
   return {numberValue(name, words[0]), numberValue(name, words[1]), numberValue(name, words[2])};
 }

@@ -15,11 +15,12 @@ setOutliers(Job& job, const std::string& value)
 {
   const std::vector<std::string> words = listValue(value);
   if (words.size() != 2)
-    throw UsageError(Diagnostic("--outliers ", value, ": give the number of neighbours and of standard deviations, such as 16,3"));
+    throw UsageError(
+        pcl_spiral::Diagnostic("--outliers ", value, ": give the number of neighbours and of standard deviations, such as 16,3"));
   job.settings.outlier_neighbours = wholeNumberValue("outliers", words[0]);
   job.settings.outlier_deviations = numberValue("outliers", words[1]);
   if (job.settings.outlier_neighbours < 1 || job.settings.outlier_deviations <= 0.0)
-    throw UsageError(Diagnostic("--outliers ", value, ": both numbers must be above 0, such as 16,3"));
+    throw UsageError(pcl_spiral::Diagnostic("--outliers ", value, ": both numbers must be above 0, such as 16,3"));
 }
 
 /** "on", "inside,2" or "beyond,2". */
@@ -33,7 +34,7 @@ setRim(double& overhang, const std::string& value)
     return;
   }
   if (words.size() != 2 || (!beyond && words[0] != "inside"))
-    throw UsageError(Diagnostic("--rim ", value, ": give on, or inside or beyond with a distance in mm, such as beyond,2"));
+    throw UsageError(pcl_spiral::Diagnostic("--rim ", value, ": give on, or inside or beyond with a distance in mm, such as beyond,2"));
   const double distance = numberValue("rim", words[1]);
   requireOption(distance >= 0.0, "rim", distance, "the distance must be at least 0 mm");
   overhang = beyond ? distance : -distance;
@@ -185,7 +186,7 @@ limitOption(const std::string& name, const std::string& argument, const std::str
           [name, &verify, &limit](const std::string& value) {
             limit = numberValue(name, value);
             if (!(*limit >= 0.0))
-              throw UsageError(Diagnostic("--", name, " ", value, ": give 0 or more"));
+              throw UsageError(pcl_spiral::Diagnostic("--", name, " ", value, ": give 0 or more"));
             verify = true;
           }};
 }

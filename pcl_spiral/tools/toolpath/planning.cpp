@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 #include "job_failure.h"
+#include "path_judging.h"
 #include "path_program.h"
 #include "program/program_check.h"
 #include "terminal/scan_places.h"
