@@ -23,6 +23,9 @@ struct WholeScan {
   pcl::IndicesPtr indices;                        ///< points of the part; null: all
 };
 
+/** Largest lean of the shank from the normal that planner and judge look at, degrees: one that leans more would touch the surface. */
+constexpr double most_lean = 60.0;
+
 /** The tool that goes over a scan. */
 struct PartTool {
   double radius = 0.0; ///< of the ball, mm; 0: any cutter, looked at later

@@ -2,6 +2,7 @@
 #include <pcl_spiral/planning/impl/path_judging.h>
 
 #include "collision/ball_way.h"
+#include "planning/part_selection.h"
 #include "verify/limit_verdicts.h"
 #include "verify/path_ridges.h"
 #include <pcl_spiral/collision/impl/false_echoes.h>
@@ -19,7 +20,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double most_lean = 60.0;    // degrees
 constexpr double single_points = 5.0; // times their noise: no point is farther from the surface
 
 /** The middles of balls about the whole cutter between corner and flank, as pcl_spiral_drive keeps it out. */

@@ -38,9 +38,8 @@ madeTurns(const SpiralReport& report)
 double
 leanOf(const SpiralSettings& s)
 {
-  constexpr double most = 60.0; // a shank that leans more would touch the surface itself
   const double asked = std::acos(std::cos(s.tilt_angle * degree) * std::cos(s.lead_angle * degree)) / degree;
-  return std::min(most, asked + s.axis_deviation);
+  return std::min(most_lean, asked + s.axis_deviation);
 }
 
 /** The surface of the part, or of the samples of a mesh. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 #include "judging/raw_scan_option.h"
-#include "passes/pass_failure.h"
 #include "program/program_check.h"
+#include "terminal/failure.h"
 #include "terminal/region_choice.h"
 #include "terminal/terminal.h"
 

@@ -2,8 +2,8 @@
 #include "planning.h"
 
 #include "passes/pass_axes.h"
-#include "passes/pass_failure.h"
 #include "program/program_check.h"
+#include "terminal/failure.h"
 #include "terminal/file_names.h"
 
 #include "drive/pass_axes.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "part_options.h"
 
+#include "failure.h"
 #include "scan_places.h"
 #include "terminal.h"
 
-#include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/polygon_reader.h>
 
 #include <iterator>
@@ -119,11 +119,7 @@ choosePart(const PartOptions& options, const std::string& file, const ReadOption
   settings.threads = threads;
   ChosenPart part;
   const WholeScan whole{scan.cloud, side.normals, settings, nullptr};
-  if (const Status status = choosePart(whole, choiceOf(options, asked), tool, {}, part); !status.ok()) {
-    if (status.code() == StatusCode::InvalidArgument)
-      throw UsageError(Diagnostic(file, ": ", status.diagnostic()));
-    throw FileError(file, status.diagnostic());
-  }
+  require(file, choosePart(whole, choiceOf(options, asked), tool, {}, part));
   if (part.cloud) {
     scan.cloud = part.cloud;
     scan.normals = part.normals;

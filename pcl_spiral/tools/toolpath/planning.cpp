@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
-#include "job_failure.h"
 #include "path_judging.h"
 #include "path_program.h"
 #include "program/program_check.h"
+#include "terminal/failure.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
@@ -66,7 +66,7 @@ readFaces(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner, Result& result)
   MeshSettings settings;
   settings.flip = job.settings.flip_normals;
   SurfaceMesh::ConstPtr mesh;
-  requireOk(job, SurfaceMesh::make(*file.mesh, settings, mesh));
+  require(job.scan, SurfaceMesh::make(*file.mesh, settings, mesh));
   Eigen::AlignedBox3d box;
   for (std::size_t v = 0; v < mesh->vertexCount(); ++v)
     box.extend(mesh->position(v));
@@ -163,7 +163,7 @@ plan(const Job& job)
   clock.end("reading");
   planner.compute();
   bar.clear();
-  requireOk(job, planner.getStatus());
+  require(job.scan, planner.getStatus());
   result.plan = planner.getPlan();
   result.regions.resize(result.plan.regions.size());
   result.plan.settings.flip_normals = job.settings.flip_normals;

@@ -6,5 +6,5 @@
 
 #include "outputs.h"
 
-/** Reads the scan or the mesh, and plans the path. \throw as requireOk */
+/** Reads the scan or the mesh, and plans the path. \throw as require in terminal/failure.h */
 Result plan(const Job& job);

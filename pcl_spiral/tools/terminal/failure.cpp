@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pass_failure.h"
+#include "failure.h"
 
-#include "terminal/terminal.h"
+#include "terminal.h"
 
 #include <pcl_spiral/io/file_error.h>
 
