@@ -108,13 +108,17 @@ unknown_fields() {
 fault "fields of sentences that are neither names of C++, units nor in tools/terminal/vocabulary.cpp" "$(unknown_fields || true)"
 fault "sentences searched or cut; use the fields of the diagnostic" \
   "$(grep -rnE '(message|what|text|diagnostic)\(\)\.(find|substr|replace|compare)\(|warnings(\(\))?\.front\(\)' $library || true)"
+in_vocabulary() { # FIELD: whether programs have words for it: of their own, or the option of its setting
+  grep -qF "{\"$1\"," $library/tools/terminal/vocabulary.cpp ||
+    grep -rqE "(Setting\(|^ *)\"[a-z_]+\", \"$1\"," $library/src $library/include
+}
 unnamed_setters() { # that the spiral names, but no program has an option for; inputs and tolerances of single classes have none
   grep -rhoE '\{(set|add|clear)[A-Z][^}]*\}' $library/src/spiral $library/include/pcl_spiral/spiral/impl | tr -d '{}' |
     grep -vE '^set(Input[A-Za-z]*|Tolerance|FitTolerance)$|^clearRadialLines$' | sort -u | while read -r setter; do
-    grep -qF "{\"$setter\"" $library/tools/terminal/vocabulary.cpp || grep -rnF "{$setter}" $library/src/spiral $library/include/pcl_spiral/spiral
+    in_vocabulary "$setter" || grep -rnF "{$setter}" $library/src/spiral $library/include/pcl_spiral/spiral
   done
 }
-fault "setters in sentences without an option in tools/terminal/vocabulary.cpp" "$(unnamed_setters || true)"
+fault "setters in sentences without an option in a table of settings or in tools/terminal/vocabulary.cpp" "$(unnamed_setters || true)"
 missing_setters() { # that planners name, but that no class a planner is made of has
   grep -rhoE '\{(set|add|clear)[A-Z][A-Za-z]*\}' $library/src/planning $library/include/pcl_spiral/planning | tr -d '{}' | sort -u | while read -r setter; do
     grep -rqE "\b$setter\(" $library/include/pcl_spiral/{planning,spiral,ridge,drive,surface,mesh/impl} || grep -rnF "{$setter}" $library/src/planning $library/include/pcl_spiral/planning

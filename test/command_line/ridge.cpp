@@ -287,19 +287,21 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithACall)
                 "this is the rail itself, an input; give the output another name");
   expectRefused({rail, generator, "--spot", "4", "-o", "x_lines.png", "-o", "x.png"}, 2,
                 "x_lines.png: is given twice, because it is written with another picture");
-  expectRefused(call({"--spot", "4", "--stand-off", "-10"}), 2,
-                "--stand-off -10: must not be below 0 mm; for the other side of the ridge give --flip-normals");
+  expectRefused(
+      call({"--spot", "4", "--stand-off", "-10"}), 2,
+      "--stand-off -10: must be from 0 to 100000 mm, such as 10; for the other side of the ridge flip the normals (--flip-normals)");
   expectRefused({rail, generator, "--spot", "4", "-o", "x.apt"}, 2, "this format needs a cutter, and the tool is a beam");
   expectRefused({rail, generator, "--spot", "4", "-o", "none/x.csv"}, 1, "none/x.csv");
   expectRefused(call({}), 2, "no option sets the distance between rows; give one of --spot, --step-over and --scallop");
   expectRefused(call({"--spot", "4", "--step-over", "3"}), 2, "more than one option sets the distance between rows");
   expectRefused(call({"--spot", "0"}), 2, "--spot 0: must be above 0 mm");
-  expectRefused(call({"--spot", "4", "--overlap", "1"}), 2, "--overlap 1: must be 0 or more and below 1, such as 0.25");
+  expectRefused(call({"--spot", "4", "--overlap", "1"}), 2, "--overlap 1: must be at least 0 and below 1, such as 0.25");
   expectRefused(call({"--step-over", "4", "--overlap", "0.5"}), 2, "--overlap: belongs to --spot");
   expectRefused(call({"--spot", "4", "--reference", "0,0,0"}), 2,
                 "the reference normal has no direction: set a vector such as (0, 0, 1) (--reference)");
-  expectRefused(call({"--spot", "4", "--measuring-error", "-1"}), 2, "(--measuring-error)");
-  expectRefused(call({"--spot", "4", "--lead", "90"}), 2, "set them below 90 (--lead, --tilt)");
+  expectRefused(call({"--spot", "4", "--measuring-error", "-1"}), 2,
+                "--measuring-error -1: must be above 0 mm, or 0 for the noise of the points, such as 0.02");
+  expectRefused(call({"--spot", "4", "--lead", "90"}), 2, "--lead 90: must be above -90 and below 90 degrees, such as 5");
   expectRefused(call({"--scallop", "0.02"}), 2, "--scallop: belongs to a cutter, and no --tool-radius is given");
   expectRefused(call({"--tool-radius", "6", "--spot", "4"}), 2, "--spot: belongs to a beam; for a cutter give --step-over or --scallop");
   expectRefused(call({"--tool-radius", "6", "--step-over", "1", "--stand-off", "3"}), 2, "--stand-off: a cutter touches the surface");

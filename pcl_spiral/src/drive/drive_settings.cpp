@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/drive/drive_settings.h>
 
+#include "choice_words.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/drive/impl/drive_cylinder.h>
 
@@ -33,8 +34,8 @@ checkDirections(const DriveSettings& s)
     return bad(Diagnostic("the tool axis is ", Direction(s.axis), ", which has no direction; set it from the tip to the shank"));
   if (s.kind != DriveKind::Planes)
     return Status::success();
-  if (!std::isfinite(s.plane_angle) || !s.plane_direction.allFinite())
-    return bad("the direction of the section planes is not finite; set an angle in {degrees}, or a vector");
+  if (!s.plane_direction.allFinite())
+    return bad("the direction of the section planes is not finite; set an angle in {degrees}, or a vector ({setPlaneDirection})");
   if (!s.plane_direction.isZero(0.0) && !(s.axis.normalized().cross(s.plane_direction.normalized()).norm() > most_parallel))
     return bad(Diagnostic("the direction of the passes ", Direction(s.plane_direction), " is parallel to the tool axis ", Direction(s.axis),
                           ": they define no plane; set a direction across the axis"));
@@ -85,6 +86,45 @@ checkRows(const DriveSettings& s)
 
 } // namespace
 
+std::vector<Setting>
+settingTable(DriveSettings& s)
+{
+  return {
+      Setting("drive", "setKind", "kind of drive path", "kind of drive path", "helix", s.kind),
+      Setting("step_over", "setStepOver", "step-over", "largest distance between neighbouring passes", "1", s.step_over)
+          .in("mm", NumberRange::from(0.0))
+          .zeroFor("the one of the scallop height"),
+      Setting("scallop", "setScallop", "scallop height",
+              "largest height of the ridge left between passes, on slopes too; refused, with the height that is reached, where the passes "
+              "leave more",
+              "0.02", s.scallop_height)
+          .in("mm", NumberRange::from(0.0))
+          .zeroFor("none"),
+      Setting("point_spacing", "setPointSpacing", "spacing of drive points",
+              "largest distance between drive points of a pass; on a mesh the default is the tool radius", "0.5", s.point_spacing)
+          .in("mm", NumberRange::above(0.0)),
+      Setting("chord_error", "setChordError", "chord error", "largest distance of straight moves from the curved surface of a mesh",
+              "0.002", s.chord_error)
+          .in("mm", NumberRange::above(0.0))
+          .onlyInCode(),
+      Setting("overrun", "setOverrun", "overrun", "helix and rings go this far beyond the ends of the column, for walls that lean", "1.5",
+              s.overrun)
+          .in("mm", NumberRange::from(0.0)),
+      Setting("direction", "setPlaneDirection", "direction of the passes", "planes: direction of passes about the tool axis, from X", "45",
+              s.plane_angle)
+          .in("degrees", NumberRange()),
+      Setting("rows", "setRows", "rows", "planes: at even steps, or everywhere as close as the scallop height needs", "kept", s.rows),
+      Setting("link", "setLinkRows", "linked rows", "planes: join rows on the surface where the next begins within two step-overs", "",
+              s.link_rows),
+      Setting("zigzag", "setZigzag", "zigzag", "every second pass runs backwards", "", s.zigzag).onlyInCode(),
+      Setting("axis", "setAxis", "tool axis", "tool axis, from tip to shank, for fixed axes and for planes", "0,1,1", s.axis),
+      Setting("axis_mode", "setAxisMode", "source of tool axes",
+              "source of tool axes; cylinder for helix and rings, else fixed, if it is "
+              "not given",
+              "surface", s.axis_mode),
+  };
+}
+
 Status
 checkSettings(const DriveSettings& s)
 {
@@ -93,13 +133,9 @@ checkSettings(const DriveSettings& s)
   if (const Diagnostic fault = s.cutter ? faultOf(*s.cutter) : Diagnostic(); !fault.empty())
     return bad(Diagnostic(fault, " ({setCutter})"));
   if (needsStep(s) && !isPositive(s.step_over))
-    return bad(Diagnostic("the step-over is ", s.step_over, " {mm}; set it above 0"));
-  if (!(s.overrun >= 0.0) || !std::isfinite(s.overrun))
-    return bad(Diagnostic("the overrun is ", s.overrun, " {mm}; set it to 0 or more"));
-  if (!isPositive(s.point_spacing))
-    return bad(Diagnostic("the spacing of drive points is ", s.point_spacing, " {mm}; set it above 0"));
-  if (!isPositive(s.chord_error))
-    return bad(Diagnostic("the chord error is ", s.chord_error, " {mm}; set it above 0 ({setChordError})"));
+    return bad(Diagnostic("the step-over is ", s.step_over, " {mm}: set it above 0 ({setStepOver})"));
+  if (const Diagnostic fault = rangeFault(s); !fault.empty())
+    return bad(fault);
   if (s.cylinder)
     if (const Status status = checkCylinder(*s.cylinder); !status.ok())
       return status;

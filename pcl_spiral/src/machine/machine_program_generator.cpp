@@ -7,6 +7,7 @@
 #include "tool_leads.h"
 #include "turn_passes.h"
 
+#include "choice_words.h"
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
@@ -168,6 +169,43 @@ reportAngles(MachineProgram& program)
 
 } // namespace
 
+std::vector<Setting>
+settingTable(ProgramSettings& s)
+{
+  const NumberRange length = NumberRange::above(0.0), none_or_more = NumberRange::from(0.0);
+  return {
+      Setting("lead_in", "ProgramSettings::lead", "kind of lead", "how the tool moves to the path and leaves it", "arc", s.lead),
+      Setting("lead_length", "ProgramSettings::lead_length", "lead length", "length of the lead, or radius of the arc", "5", s.lead_length)
+          .in("mm", length),
+      Setting("clearance", "ProgramSettings::clearance", "clearance", "the feed begins at this distance from the lead, along the tool axis",
+              "3", s.clearance)
+          .in("mm", length),
+      Setting("rapid_height", "ProgramSettings::rapid_height", "rapid height",
+              "height of rapids above the highest tip, and above the scan if the part is chosen", "100", s.rapid_height)
+          .in("mm", length),
+      Setting(
+          "stay_down", "ProgramSettings::stay_down", "largest length of links",
+          "go from pass to pass near the surface, at the height of the leads, if the way is at most this long and everything in the scan "
+          "is at least half of the lead length away; else the tool retracts",
+          "20", s.stay_down)
+          .in("mm", none_or_more)
+          .zeroFor("retracts"),
+      Setting("plunge_feed", "ProgramSettings::plunge_feed", "plunge feed", "feed of the way down to the lead", "500", s.plunge_feed)
+          .in("mm/min", none_or_more)
+          .zeroFor("the feed"),
+      Setting("lead_feed", "ProgramSettings::lead_feed", "lead feed", "feed of leads to the path and off it", "400", s.lead_feed)
+          .in("mm/min", none_or_more)
+          .zeroFor("the feed"),
+      Setting("link_feed", "ProgramSettings::link_feed", "link feed", "feed of links that stay down between passes", "3000", s.link_feed)
+          .in("mm/min", none_or_more)
+          .zeroFor("the feed"),
+      Setting("pole_cone", "ProgramSettings::pole_cone", "pole cone",
+              "blends tool axes within this angle of the direction of the rotary axis, where that axis would turn too fast", "2",
+              s.pole_cone)
+          .in("degrees", none_or_more.below(90.0)),
+  };
+}
+
 ToolPoses
 ballPoses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius)
 {
@@ -215,22 +253,13 @@ MachineProgramGenerator::check(const ProgramSettings& s) const
   const auto require = [](bool holds, const char* what, double value, const char* rule) {
     return holds ? Diagnostic() : Diagnostic("the ", what, " is ", value, "; ", rule);
   };
-  const char* own_feed = "it must be above 0 {mm/min}, or 0 for the feed";
   for (const Diagnostic& fault :
-       {require(s.feed > 0.0 && std::isfinite(s.feed), "feed", s.feed, "it must be above 0 {mm/min}"),
-        require(s.plunge_feed >= 0.0 && std::isfinite(s.plunge_feed), "plunge feed", s.plunge_feed, own_feed),
-        require(s.lead_feed >= 0.0 && std::isfinite(s.lead_feed), "lead feed", s.lead_feed, own_feed),
-        require(s.link_feed >= 0.0 && std::isfinite(s.link_feed), "link feed", s.link_feed, own_feed),
+       {rangeFault(s), require(s.feed > 0.0 && std::isfinite(s.feed), "feed", s.feed, "it must be above 0 {mm/min}"),
         require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius, "it must not be below 0 {mm}"),
-        require(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole cone", s.pole_cone, "it must lie between 0 and 90 {degrees}"),
         require(s.block.tip >= BlockTolerance::least_tip, "block tolerance", s.block.tip, "it must be 0.0001 {mm} or more"),
         require(s.block.axis >= BlockTolerance::least_axis, "block tolerance", s.block.axis, "it must be 1e-6 radians or more"),
         require(s.thinning.tip >= 0.0 && s.thinning.axis >= 0.0, "thinning tolerance", std::min(s.thinning.tip, s.thinning.axis),
                 "it must not be below 0"),
-        require(s.lead_length > 0.0 && std::isfinite(s.lead_length), "lead length", s.lead_length, "it must be above 0 {mm}"),
-        require(s.clearance > 0.0 && std::isfinite(s.clearance), "clearance", s.clearance, "it must be above 0 {mm}"),
-        require(s.stay_down >= 0.0 && std::isfinite(s.stay_down), "largest length of links", s.stay_down, "it must not be below 0 {mm}"),
-        require(s.rapid_height > 0.0 && std::isfinite(s.rapid_height), "rapid height", s.rapid_height, "it must be above 0 {mm}"),
         require(s.clear_box.isEmpty() || s.clear_box.sizes().allFinite(), "size of the box to clear", s.clear_box.sizes().maxCoeff(),
                 "it must be finite")})
     if (!fault.empty())

@@ -19,15 +19,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-Status
-checkSettings(const MeshSettings& settings)
-{
-  if (!(settings.crease_angle > 0.0) || !(settings.crease_angle <= 180.0))
-    return {StatusCode::InvalidArgument,
-            Diagnostic("the crease angle is ", settings.crease_angle, " {degrees}; set it above 0, up to 180 ({setCreaseAngle})")};
-  return Status::success();
-}
-
 /** Sixfold volume of the tetrahedron from \p origin to a face. */
 double
 volumeTo(const Vector3d& origin, const Vector3d& a, const Vector3d& b, const Vector3d& c)
@@ -96,6 +87,16 @@ isClosed(const Triangulation& mesh)
 
 } // namespace
 
+std::vector<Setting>
+settingTable(MeshSettings& s)
+{
+  return {
+      Setting("crease_angle", "setCreaseAngle", "crease angle", "mesh edges bent by more than this stay sharp", "20", s.crease_angle)
+          .in("degrees", NumberRange::above(0.0).upTo(180.0)),
+      Setting("flip_normals", "MeshSettings::flip", "turned normals", "the cutter is on the other side of the scan or mesh", "", s.flip),
+  };
+}
+
 Vector3d
 SurfaceMesh::faceNormal(std::size_t t) const
 {
@@ -135,8 +136,8 @@ Status
 SurfaceMesh::make(const pcl::PolygonMesh& mesh, const MeshSettings& settings, ConstPtr& result)
 {
   result.reset();
-  if (const Status status = checkSettings(settings); !status.ok())
-    return status;
+  if (const Diagnostic fault = rangeFault(settings); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
   const auto made = std::make_shared<SurfaceMesh>();
   made->settings_ = settings;
   WeldedFaces welded;

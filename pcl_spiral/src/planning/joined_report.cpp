@@ -5,6 +5,7 @@
 #include "planning/plan_regions.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace pcl_spiral {
 namespace {
@@ -43,14 +44,16 @@ addLengths(const SpiralReport& one, SpiralReport& all)
 {
   all.reversed_share =
       (all.reversed_share * all.path_length + one.reversed_share * one.path_length) / std::max(all.path_length + one.path_length, 1e-9);
-  for (const auto length : {&SpiralReport::path_length, &SpiralReport::lift_length, &SpiralReport::gap_length, &SpiralReport::lifted_length,
-                            &SpiralReport::foreseen_radial, &SpiralReport::foreseen_scallop})
+  using Number = double SpiralReport::*;
+  for (const Number length :
+       std::initializer_list<Number>{&SpiralReport::path_length, &SpiralReport::lift_length, &SpiralReport::gap_length,
+                                     &SpiralReport::lifted_length, &SpiralReport::foreseen_radial, &SpiralReport::foreseen_scallop})
     all.*length += one.*length;
-  for (const auto most :
-       {&SpiralReport::spacing, &SpiralReport::noise, &SpiralReport::largest_unsettled, &SpiralReport::line_error,
-        &SpiralReport::line_tolerance, &SpiralReport::largest_step_over, &SpiralReport::largest_lift, &SpiralReport::corner_ridge,
-        &SpiralReport::largest_allowed_step, &SpiralReport::largest_gap, &SpiralReport::largest_axis_change,
-        &SpiralReport::largest_axis_rate, &SpiralReport::largest_axis_lean, &SpiralReport::largest_axis_deviation})
+  for (const Number most : std::initializer_list<Number>{
+           &SpiralReport::spacing, &SpiralReport::noise, &SpiralReport::largest_unsettled, &SpiralReport::line_error,
+           &SpiralReport::line_tolerance, &SpiralReport::largest_step_over, &SpiralReport::largest_lift, &SpiralReport::corner_ridge,
+           &SpiralReport::largest_allowed_step, &SpiralReport::largest_gap, &SpiralReport::largest_axis_change,
+           &SpiralReport::largest_axis_rate, &SpiralReport::largest_axis_lean, &SpiralReport::largest_axis_deviation})
     all.*most = std::max(all.*most, one.*most);
 }
 

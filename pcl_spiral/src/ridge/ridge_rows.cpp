@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/ridge/ridge_rows.h>
 
+#include "choice_words.h"
 #include "ridge_row.h"
 #include "row_metric.h"
 
@@ -16,13 +17,13 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double longest_ridge_setting = 1e5; // mm
+
 Status
 invalid(const Diagnostic& message)
 {
   return {StatusCode::InvalidArgument, message};
 }
-
-constexpr double longest = 1e5; // mm
 
 Status
 checkSettings(const RidgeRowSettings& s)
@@ -32,25 +33,14 @@ checkSettings(const RidgeRowSettings& s)
     return invalid(Diagnostic(
         told == 0 ? "no setting defines" : "more than one setting defines",
         " how far rows are apart: set the step-over ({setStepOver}), or the spot ({setSpot}), or ball and scallop height ({setScallop})"));
-  for (const auto& [name, length] :
-       {std::pair("step-over", s.step_over), std::pair("spot", s.spot_size), std::pair("tool radius", s.tool_radius),
-        std::pair("spacing of points", s.point_spacing), std::pair("chord error", s.chord_error), std::pair("run-in", s.run_in),
-        std::pair("run-out", s.run_out)})
-    if (!(length >= 0.0 && length <= longest))
-      return invalid(Diagnostic("the ", name, " is ", length, " {mm}: set it from 0 to ", longest, " {mm}"));
-  if (!(s.overlap >= 0.0 && s.overlap < 1.0))
-    return invalid(Diagnostic("the overlap is ", s.overlap, ": set it from 0 to below 1 ({setSpot})"));
+  if (const Diagnostic fault = rangeFault(s); !fault.empty())
+    return invalid(fault);
+  if (!(s.tool_radius >= 0.0 && s.tool_radius <= longest_ridge_setting))
+    return invalid(
+        Diagnostic("the tool radius is ", s.tool_radius, " {mm}: set it from 0 to ", longest_ridge_setting, " {mm} ({setScallop})"));
   if (s.tool_radius > 0.0 && !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
     return invalid(Diagnostic("the scallop height is ", s.scallop_height, " {mm}: set it above 0 and below the tool radius, ",
                               s.tool_radius, " {mm} ({setScallop})"));
-  if (!(s.point_spacing > 0.0))
-    return invalid(Diagnostic("the spacing of points is ", s.point_spacing, " {mm}: set it above 0 ({setPointSpacing})"));
-  if (!(s.stand_off >= 0.0 && s.stand_off <= longest))
-    return invalid(Diagnostic("the stand-off is ", s.stand_off, " {mm}: set it from 0 to ", longest,
-                              " {mm} ({setStandOff}); for the other side of the ridge "
-                              "flip the normals ({setFlipNormals})"));
-  if (!(std::abs(s.lead) < 90.0) || !(std::abs(s.tilt) < 90.0))
-    return invalid(Diagnostic("lead and tilt are ", s.lead, " and ", s.tilt, " {degrees}: set them below 90 ({setLead}, {setTilt})"));
   return Status::success();
 }
 
@@ -72,6 +62,52 @@ largestDistance(const RidgeSurface& surface, bool along_rail, const std::vector<
 }
 
 } // namespace
+
+std::vector<Setting>
+settingTable(RidgeRowSettings& s)
+{
+  const NumberRange length = NumberRange::from(0.0).upTo(longest_ridge_setting), angle = NumberRange::above(-90.0).below(90.0);
+  return {
+      Setting("direction", "setDirection", "direction of rows", "rows along the rail or across it", "across", s.direction),
+      Setting("zigzag", "setZigzag", "zigzag", "every second row runs backwards", "", s.zigzag).onlyInCode(),
+      Setting("spot", "setSpot", "spot", "diameter of a beam's spot", "4", s.spot_size).in("mm", length).zeroFor("none"),
+      Setting("overlap", "setSpot", "overlap", "share of the spot that the next row covers again", "0.25", s.overlap)
+          .in("", NumberRange::from(0.0).below(1.0)),
+      Setting("step_over", "setStepOver", "step-over", "largest distance between neighbouring rows", "1", s.step_over)
+          .in("mm", length)
+          .zeroFor("the one of spot or scallop height"),
+      Setting("scallop", "setScallop", "scallop height", "largest ridge height that a ball may leave between rows", "0.02",
+              s.scallop_height)
+          .in("mm", length)
+          .zeroFor("none"),
+      Setting("point_spacing", "setPointSpacing", "spacing of points", "largest distance between consecutive points", "0.5",
+              s.point_spacing)
+          .in("mm", NumberRange::above(0.0).upTo(longest_ridge_setting)),
+      Setting("chord_error", "setChordError", "chord error", "largest distance of straight moves from the ridge", "0.005", s.chord_error)
+          .in("mm", length)
+          .zeroFor("no limit")
+          .onlyInCode(),
+      Setting("steps", "setSteps", "steps", "points at equal distances on each row, or, as published, at equal stations of the rail",
+              "stations", s.steps),
+      Setting(
+          "normals", "setNormals", "normals",
+          "true normals; as published, in the rail's normal plane (wrong where the ridge twists); or from an arc through start, middle and "
+          "end of the generator",
+          "in-plane", s.normals),
+      Setting("stand_off", "setStandOff", "stand-off", "distance of a beam's tip from the surface, along the normal", "10", s.stand_off)
+          .in("mm", length)
+          .withRemedy("for the other side of the ridge flip the normals ({setFlipNormals})"),
+      Setting("lead", "setLead", "lead angle", "lead of the tool axis, forward along the row", "5", s.lead).in("degrees", angle),
+      Setting("tilt", "setTilt", "tilt angle", "tilt of the tool axis, to the right of travel", "5", s.tilt).in("degrees", angle),
+      Setting("run_in", "setRunIn", "run-in",
+              "each row begins this far before the ridge, on a straight line; the code for the begin of a pass comes before it", "3",
+              s.run_in)
+          .in("mm", length),
+      Setting("run_out", "setRunOut", "run-out", "each row ends this far behind the ridge; the code for the end of a pass comes after it",
+              "3", s.run_out)
+          .in("mm", length),
+  };
+}
 
 Status
 planRidgeRows(const RidgeSurface& surface, const RidgeRowSettings& settings, DrivePasses& passes, RidgeRowReport& report)

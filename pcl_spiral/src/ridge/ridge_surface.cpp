@@ -36,6 +36,22 @@ circleCentre(const Vector3d& a, const Vector3d& b, const Vector3d& c)
 
 } // namespace
 
+std::vector<Setting>
+settingTable(RidgeSettings& s)
+{
+  return {
+      Setting("reference", "setReferenceNormal", "reference normal",
+              "reference normal: the generator's chord keeps its angle to the plane with this normal, and this side is up; for an upright "
+              "rail give a direction across it",
+              "1,0,0", s.reference),
+      Setting("measuring_error", "setMeasuringError", "measuring error", "standard deviation of a coordinate of the measured points",
+              "0.02", s.measuring_error)
+          .in("mm", NumberRange::from(0.0))
+          .zeroFor("the noise of the points"),
+      Setting("flip_normals", "setFlipNormals", "turned normals", "the tool is on the other side of the ridge", "", s.flip),
+  };
+}
+
 /** The rail was checked at stations; if it is a little steeper between them, the chord is as steep as possible. */
 RidgeFrame
 RidgeSurface::frame(double u) const
@@ -258,9 +274,8 @@ RidgeSurface::make(const Polyline& rail, const Polyline& generator, const RidgeS
   result.reset();
   if (!settings.reference.allFinite() || !(settings.reference.norm() > 0.0))
     return {StatusCode::InvalidArgument, "the reference normal has no direction: set a vector such as (0, 0, 1) ({setReferenceNormal})"};
-  if (!(settings.measuring_error >= 0.0) || !std::isfinite(settings.measuring_error))
-    return {StatusCode::InvalidArgument, Diagnostic("the measuring error is ", settings.measuring_error,
-                                                    " {mm}: set it above 0, or 0 to have it found ({setMeasuringError})")};
+  if (const Diagnostic fault = rangeFault(settings); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
   const auto made = std::make_shared<RidgeSurface>();
   made->settings_ = settings;
   made->settings_.reference.normalize();

@@ -40,24 +40,13 @@ reportSpacing(const PathFigures& path, SpiralReport& report)
   report.warnings.push_back(warning);
 }
 
-bool
-putBackRadial(const Status& status, const SpiralTurns& turns, const SpiralReport& before, SpiralReport& report)
+Diagnostic
+whyNotRadial(const Status& status, const SpiralTurns& turns)
 {
-  if (!status.ok() && status.code() != StatusCode::Failed)
-    return false;
-  Diagnostic why = status.diagnostic();
-  if (status.ok()) {
-    const PathReversals reversals = curveReversals(turns.curve);
-    if (reversals.count == 0)
-      return false;
-    why = reversalText(reversals);
-  }
-  std::vector<StageCost> stages = std::move(report.stages);
-  report = before;
-  report.stages = std::move(stages);
-  report.warnings.push_back(
-      Diagnostic("the path was made at constant scallop height, though the radial method was foreseen to take less time: with it, ", why));
-  return true;
+  if (status.code() == StatusCode::Failed)
+    return status.diagnostic();
+  const PathReversals reversals = status.ok() ? curveReversals(turns.curve) : PathReversals();
+  return reversals.count > 0 ? reversalText(reversals) : Diagnostic();
 }
 
 Status

@@ -2,20 +2,18 @@
 #include <pcl_spiral/spiral/impl/settings_check.h>
 
 #include "scan_warnings.h"
-#include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
-
-#include <cmath>
 
 namespace pcl_spiral {
 namespace {
 
-template <typename Value>
 Status
-refused(const char* name, Value value, const char* remedy)
+tooLarge(const char* words, double value, double tool_radius, const char* rest)
 {
-  return {StatusCode::InvalidArgument, Diagnostic(name, " is ", value, ": ", remedy)};
+  return {StatusCode::InvalidArgument,
+          Diagnostic("the ", words, " is ", SixDigits(value), " {mm}: it must be below the tool radius, which is ", SixDigits(tool_radius),
+                     " {mm}", rest)};
 }
 
 /** Settings of radial lines have no meaning for a path at constant scallop height. */
@@ -42,55 +40,16 @@ checkMethod(const SpiralSettings& s)
 Status
 checkSettings(const SpiralSettings& s)
 {
-  if (!(s.tool_radius > 0.0) || !std::isfinite(s.tool_radius))
-    return refused("the tool radius", s.tool_radius, "set the ball cutter's radius, above 0 {mm}");
-  if (!(s.scallop_height > 0.0) || !std::isfinite(s.scallop_height))
-    return refused("the scallop height", s.scallop_height, "set the ridge allowed between turns, above 0 {mm}");
+  if (const Diagnostic fault = rangeFault(s); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
   if (s.scallop_height >= s.tool_radius)
-    return refused("the scallop height", s.scallop_height,
-                   "it must be smaller than the tool radius; a hundredth of the radius or less is usual");
-  if (!(s.chord_error > 0.0) || s.chord_error >= s.tool_radius)
-    return refused("the chord error", s.chord_error, "it must be above 0 {mm} and below the tool radius");
-  if (!(s.max_step >= 0.0) || !std::isfinite(s.max_step))
-    return refused("the longest step", s.max_step, "give a length above 0 {mm}, or 0 for the tool radius");
-  if (!(std::abs(s.tilt_angle) < 90.0))
-    return refused("the tilt angle", s.tilt_angle, "it must lie between -90 and 90 {degrees}");
-  if (!(std::abs(s.lead_angle) < 90.0))
-    return refused("the lead angle", s.lead_angle, "it must lie between -90 and 90 {degrees}");
-  if (s.fixed_axis && !(s.fixed_axis->allFinite() && s.fixed_axis->norm() > 1e-9))
+    return tooLarge("scallop height", s.scallop_height, s.tool_radius, "; a hundredth of the radius is usual ({setScallopHeight})");
+  if (s.chord_error >= s.tool_radius)
+    return tooLarge("chord error", s.chord_error, s.tool_radius, " ({setChordError})");
+  if (s.fixed_axis && !(s.fixed_axis->norm() > 1e-9))
     return {StatusCode::InvalidArgument,
-            Diagnostic("the fixed tool axis is ", Direction(*s.fixed_axis), ": give a direction such as (0, 0, 1)")};
-  if (!(s.max_axis_rate > 0.0))
-    return refused("the largest axis rate", s.max_axis_rate, "it must be above 0 {degrees} per {mm}");
-  if (!(s.axis_smoothing >= 0.0) || !std::isfinite(s.axis_smoothing))
-    return refused("the smoothing length of the axis", s.axis_smoothing, "give a length above 0 {mm}, or 0 for none");
-  if (!(s.axis_deviation > 0.0) || !(s.axis_deviation < 90.0))
-    return refused("the deviation of the axis", s.axis_deviation, "it must lie between 0 and 90 {degrees}");
-  if (!(s.feed > 0.0) || !std::isfinite(s.feed))
-    return refused("the feed", s.feed, "it must be above 0 {mm/min}");
-  if (!(s.thinning >= 0.0) || !std::isfinite(s.thinning))
-    return refused("the thinning edge", s.thinning, "give a length above 0 {mm}, or 0 for none");
-  if (s.outlier_neighbours < 0 || !(s.outlier_deviations > 0.0))
-    return refused("the number of neighbours of the outlier filter", s.outlier_neighbours,
-                   "give a count of 0 (none) or more, and a threshold above 0 standard deviations");
-  if (const Status status = checkThreads(s.threads); !status.ok())
-    return status;
-  if (!(s.acceleration > 0.0) || !std::isfinite(s.acceleration))
-    return refused("the acceleration", s.acceleration, "it must be above 0 {mm/s2}");
-  if (!(s.least_turn_radius >= 0.0) || !(s.least_turn_radius <= 0.25))
-    return refused("the least turn radius", s.least_turn_radius, "it must lie between 0 and 0.25 step-overs");
-  if (!std::isfinite(s.rim_overhang))
-    return refused("the overhang at the rim", s.rim_overhang, "give a length, below 0 inside the rim, or 0 for the rim");
-  if (!(s.hole_size >= 0.0) || !std::isfinite(s.hole_size))
-    return refused("the hole size", s.hole_size, "give a width above 0 {mm}, or 0 to have it found");
-  if (!(s.hole_margin >= 0.0) || !std::isfinite(s.hole_margin))
-    return refused("the hole margin", s.hole_margin, "give a length above 0 {mm}, or 0 for none");
-  if (const Status status = checkMethod(s); !status.ok())
-    return status;
-  for (const auto* point : {&s.centre, &s.start_point, &s.view_point})
-    if (*point && !(*point)->allFinite())
-      return refused("a given point", Place(**point), "its coordinates must be finite");
-  return Status::success();
+            Diagnostic("the fixed tool axis is ", Direction(*s.fixed_axis), ": give a direction such as (0, 0, 1) ({setFixedAxis})")};
+  return checkMethod(s);
 }
 
 Status

@@ -67,18 +67,6 @@ reportHoles(const BridgedSurface& bridged, SpiralReport& report)
 
 } // namespace
 
-double
-lineTolerance(const SpiralSettings& settings)
-{
-  return 0.02 * std::sqrt(8.0 * settings.scallop_height * settings.tool_radius);
-}
-
-double
-lineFitTolerance(const SpiralSettings& settings)
-{
-  return 0.2 * settings.chord_error;
-}
-
 void
 reportSurface(const Surface& surface, bool made, SpiralReport& report)
 {
@@ -127,85 +115,83 @@ reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, Spira
 }
 
 void
-reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralReport& report)
+reportLines(const RadialLineSet& lines, const SpiralSettings& settings, TurnPlan& plan, Diagnostics& warnings)
 {
-  report.boundaries = lines.inner.empty() ? 1 : 2;
-  report.centre = lines.centre;
-  report.centre_settled = lines.centre_settled;
-  report.harmonic_lines = lines.harmonic;
-  report.line_error = lines.largest_interpolation_error;
-  report.line_tolerance = lineTolerance(settings);
+  plan.boundaries = lines.inner.empty() ? 1 : 2;
+  plan.centre = lines.centre;
+  plan.centre_settled = lines.centre_settled;
+  plan.harmonic_lines = lines.harmonic;
+  plan.line_error = lines.largest_interpolation_error;
+  plan.line_tolerance = lineTolerance(settings);
   for (const RadialLine& line : lines.lines) {
     Polyline points;
     for (std::size_t k = 0; k < line.feet.size(); k += 4)
       points.push_back(line.feet[k].position);
-    report.radial_lines.push_back(std::move(points));
-    report.unsettled_lines += line.unsettled > 0.0;
-    report.largest_unsettled = std::max(report.largest_unsettled, line.unsettled);
+    plan.radial_lines.push_back(std::move(points));
+    plan.unsettled_lines += line.unsettled > 0.0;
+    plan.largest_unsettled = std::max(plan.largest_unsettled, line.unsettled);
   }
   if (lines.harmonic && settings.lines == LineMethod::Automatic && !lines.why_harmonic.empty())
-    report.warnings.push_back(Diagnostic("harmonic radial lines were used: ", lines.why_harmonic));
+    warnings.push_back(Diagnostic("harmonic radial lines were used: ", lines.why_harmonic));
   if (!lines.centre_settled)
-    report.warnings.push_back(Diagnostic("the search for the centre did not converge; the centre is now at ", Place(lines.centre),
-                                         ": check that the turns around it look good, or give a centre "
-                                         "({setCenter})"));
+    warnings.push_back(Diagnostic("the search for the centre did not converge; the centre is now at ", Place(lines.centre),
+                                  ": check that the turns around it look good, or give a centre "
+                                  "({setCenter})"));
   // A slightly wrong line still lies on the surface and in order, so turns there have the same distance as elsewhere.
-  if (report.largest_unsettled > report.line_tolerance)
-    report.warnings.push_back(Diagnostic(report.unsettled_lines, " of ", lines.lines.size(),
-                                         " radial lines did not converge: the last step still moved one of them by ",
-                                         report.largest_unsettled, " {mm} sideways, but only ", report.line_tolerance,
-                                         " {mm} are allowed; choose harmonic lines, which need no such steps ({setLineMethod})"));
-  if (report.line_error > report.line_tolerance)
-    report.warnings.push_back(Diagnostic("turns between radial lines may be wrong by ", report.line_error, " {mm}, but only ",
-                                         report.line_tolerance,
-                                         " {mm} are allowed: the points of the {scan} are too far apart for "
-                                         "closer lines; {scan more densely}, or check the ridge heights ({MaterialRemoval})"));
+  if (plan.largest_unsettled > plan.line_tolerance)
+    warnings.push_back(Diagnostic(plan.unsettled_lines, " of ", lines.lines.size(),
+                                  " radial lines did not converge: the last step still moved one of them by ", plan.largest_unsettled,
+                                  " {mm} sideways, but only ", plan.line_tolerance,
+                                  " {mm} are allowed; choose harmonic lines, which need no such steps ({setLineMethod})"));
+  if (plan.line_error > plan.line_tolerance)
+    warnings.push_back(Diagnostic("turns between radial lines may be wrong by ", plan.line_error, " {mm}, but only ", plan.line_tolerance,
+                                  " {mm} are allowed: the points of the {scan} are too far apart for "
+                                  "closer lines; {scan more densely}, or check the ridge heights ({MaterialRemoval})"));
 }
 
 void
-reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, SpiralReport& report)
+reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, TurnPlan& plan, Diagnostics& warnings)
 {
-  report.scallop_loops = figures.loops;
-  report.chain_loops = figures.chain_loops;
-  report.bridges = figures.bridges;
-  report.fingers = figures.fingers;
-  report.scallop_lines = figures.lines;
-  report.finger_axes = figures.axes;
-  report.reversed_share = figures.reversed_share;
-  report.lift_length = figures.lift_length;
-  report.least_length = figures.least_length;
-  report.smallest_step_over = figures.smallest_step_over;
-  report.largest_step_over = figures.largest_step_over;
-  report.turn_radius = figures.turn_radius;
-  report.sharpest_place = figures.sharpest_place;
+  plan.scallop_loops = figures.loops;
+  plan.chain_loops = figures.chain_loops;
+  plan.bridges = figures.bridges;
+  plan.fingers = figures.fingers;
+  plan.scallop_lines = figures.lines;
+  plan.finger_axes = figures.axes;
+  plan.reversed_share = figures.reversed_share;
+  plan.lift_length = figures.lift_length;
+  plan.least_length = figures.least_length;
+  plan.smallest_step_over = figures.smallest_step_over;
+  plan.largest_step_over = figures.largest_step_over;
+  plan.turn_radius = figures.turn_radius;
+  plan.sharpest_place = figures.sharpest_place;
   if (!(figures.rim_length > 0.0))
     return; // a curve or a linked path was given, and its rim is not known
   if (figures.start_off > far_start * figures.rim_length)
-    report.warnings.push_back(
-        Diagnostic("the path reaches the rim ", figures.start_off,
-                   " {mm} from the given start point: the inner loops "
-                   "lead to no closer place; give no start point, or give one where the path is now ({setStartPoint})"));
+    warnings.push_back(Diagnostic("the path reaches the rim ", figures.start_off,
+                                  " {mm} from the given start point: the inner loops "
+                                  "lead to no closer place; give no start point, or give one where the path is now ({setStartPoint})"));
   if (figures.turn_radius < settings.least_turn_radius)
-    report.warnings.push_back(Diagnostic("the path has bends sharper than the given radius of ", settings.least_turn_radius,
-                                         " step-overs: 0.1 % of its length has a radius below ", figures.turn_radius,
-                                         ", the sharpest bend has ", figures.least_radius, " at ", Place(figures.sharpest_place),
-                                         ": reduce the feed there; a smaller radius ({setLeastTurnRadius}) removes this warning"));
+    warnings.push_back(Diagnostic("the path has bends sharper than the given radius of ", settings.least_turn_radius,
+                                  " step-overs: 0.1 % of its length has a radius below ", figures.turn_radius, ", the sharpest bend has ",
+                                  figures.least_radius, " at ", Place(figures.sharpest_place),
+                                  ": reduce the feed there; a smaller radius ({setLeastTurnRadius}) removes this warning"));
   const double ridge = 4.0 * figures.farthest * figures.farthest * settings.scallop_height;
   if (figures.farthest > 0.52)
-    report.warnings.push_back(Diagnostic("a ridge of about ", ridge, " {mm} is left at ", Place(figures.farthest_place),
-                                         ", above the scallop height of ", settings.scallop_height,
-                                         " {mm}: set a lower scallop height if that is too much"));
+    warnings.push_back(Diagnostic("a ridge of about ", ridge, " {mm} is left at ", Place(figures.farthest_place),
+                                  ", above the scallop height of ", settings.scallop_height,
+                                  " {mm}: set a lower scallop height if that is too much"));
 }
 
 void
-reportTurns(const SpiralTurns& turns, SpiralReport& report)
+reportTurns(const SpiralTurns& turns, TurnPlan& plan, Diagnostics& warnings)
 {
-  report.smallest_step_over = turns.smallest_step_over;
-  report.largest_step_over = turns.largest_step_over;
-  report.least_length = turns.least_length;
-  report.largest_allowed_step = turns.largest_allowed_step;
-  report.corner_ridge = turns.corner_ridge.height;
-  report.warnings.insert(report.warnings.end(), turns.warnings.begin(), turns.warnings.end());
+  plan.smallest_step_over = turns.smallest_step_over;
+  plan.largest_step_over = turns.largest_step_over;
+  plan.least_length = turns.least_length;
+  plan.largest_allowed_step = turns.largest_allowed_step;
+  plan.corner_ridge = turns.corner_ridge.height;
+  warnings.insert(warnings.end(), turns.warnings.begin(), turns.warnings.end());
 }
 
 void
@@ -240,7 +226,7 @@ reportPublished(const Surface& surface, const SpiralSettings& settings, Publishe
 {
   const PublishedFigures& figures = published.figures;
   if (!published.lines.lines.empty())
-    reportLines(published.lines, settings, report);
+    reportLines(published.lines, settings, report, report.warnings);
   report.loops = std::move(published.loops);
   report.unsettled_lines = figures.unsettled_lines;
   report.largest_unsettled = figures.largest_line_move;

@@ -60,30 +60,4 @@ dropTriangulation(const Surface::ConstPtr& surface)
     const_cast<Surface&>(*surface).parts_.graph.dropTriangulation();
 }
 
-Diagnostic
-disagreement(const SurfaceSettings& asked, const SurfaceSettings& made)
-{
-  const SurfaceSettings unset;
-  if (asked.view_point && asked.view_point != made.view_point)
-    return "{setViewPoint}";
-  if (asked.flip_normals && !made.flip_normals)
-    return "{setFlipNormals}";
-  if (asked.largest_part && !made.largest_part)
-    return "{setLargestPart}";
-  if (asked.part_at && asked.part_at != made.part_at)
-    return "{setPartAt}";
-  if (asked.clusters != unset.clusters && asked.clusters != made.clusters)
-    return "{setClusterHandling}";
-  if (asked.thinning != unset.thinning && asked.thinning != made.thinning)
-    return "{setThinning}";
-  if (asked.outlier_neighbours != unset.outlier_neighbours &&
-      (asked.outlier_neighbours != made.outlier_neighbours || asked.outlier_deviations != made.outlier_deviations))
-    return "{setOutlierRemoval}";
-  if (asked.neighbours != unset.neighbours && asked.neighbours != made.neighbours)
-    return "{setKSearch}";
-  if (asked.alpha != unset.alpha && asked.alpha != made.alpha)
-    return "{setAlpha}";
-  return {};
-}
-
 } // namespace pcl_spiral

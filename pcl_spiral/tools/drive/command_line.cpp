@@ -8,8 +8,6 @@
 #include "terminal/scan_places.h"
 #include "terminal/vocabulary.h"
 
-using pcl_spiral::DriveAxisMode;
-
 namespace {
 
 OptionGroup
@@ -32,9 +30,6 @@ files(Job& job)
                     "the file is a mesh, .stl .obj .ply, and its faces are used: planes cut the curved surface behind "
                     "them; without --mesh its vertices are a scan",
                     job.mesh),
-       numberOption("crease-angle", "A", "mesh edges bent by more than this stay sharp, degrees; default 30: --crease-angle 20",
-                    job.mesh_settings.crease_angle),
-       switchOption("flip-normals", "the cutter is on the other side of the scan or mesh", job.mesh_settings.flip),
        placeOption("view-point", view_point_help, job.view_point)}};
   addOptions(group, {textOption("raw-scan", "FILE", raw_scan_help, job.raw_scan)});
   addOptions(group, readOptions(job.read));
@@ -42,35 +37,19 @@ files(Job& job)
   addOptions(group, regionOptions(job.choice, job.regions));
   addOptions(group, {clustersOption(job.choice)});
   addOptions(group, {configOption(job)});
+  addSettings(group, settingTable(job.mesh_settings));
   return group;
 }
 
 OptionGroup
 path(Job& job)
 {
-  pcl_spiral::DriveSettings& s = job.drive;
   OptionGroup group{
       "Drive path (mm, degrees)",
-      {choiceOption("drive", "kind of drive path; default planes: --drive helix", s.kind),
-       numberOption("step-over", "D", "largest distance between neighbouring passes; give this or --scallop: --step-over 1", s.step_over),
-       numberOption("scallop", "H",
-                    "largest height of the ridge left between passes, on slopes too; refused, with the height that is reached, "
-                    "where the passes leave more: --scallop 0.02",
-                    job.scallop),
-       numberOption("point-spacing", "D",
-                    "largest distance between drive points of a pass; default 1, on a mesh the tool radius: --point-spacing 0.5",
-                    s.point_spacing),
-       numberOption("overrun", "L",
-                    "helix and rings go this far beyond the ends of the column, for walls that lean; default 0: --overrun 1.5", s.overrun),
-       toleranceOption(job),
-       switchOption("no-gouge-check",
+      {switchOption("no-gouge-check",
                     "put the cutter at the contacts of the mesh sections without checking the rest of the mesh: faster, but "
                     "it gouges narrow hollows",
                     job.no_gouge_check),
-       numberOption("direction", "A", "planes: direction of passes about the tool axis, from X; default 0: --direction 45", s.plane_angle),
-       choiceOption("rows", "planes: at even steps, or everywhere as close as --scallop needs; default kept with --scallop: --rows even",
-                    s.rows),
-       switchOption("link", "planes: join rows on the surface where the next begins within two step-overs", s.link_rows),
        switchOption("one-way", "cut all passes in one direction; default back and forth", job.one_way),
        textOption("curve", "FILE", "the curve for --drive curve: points in order, file formats as for a scan: --curve c.txt",
                   job.curve_file),
@@ -79,12 +58,8 @@ path(Job& job)
                    "--column-axis 0,0,1",
                    job.column_axis),
        placeOption("column-centre", "a place on that axis, in the scan's coordinates, mm; default 0,0,0: --column-centre 20,5,0",
-                   job.column_centre),
-       placeOption("axis", "tool axis, from tip to shank, for --axis-mode fixed and for planes; default 0,0,1: --axis 0,1,1", s.axis),
-       {"axis-mode", pcl_spiral::choiceList<DriveAxisMode>(),
-        "source of tool axes; default cylinder for helix and rings, else fixed: --axis-mode surface",
-        [&s](const std::string& value) { s.axis_mode = choiceValue<DriveAxisMode>("axis-mode", value); }}}};
-  addOptions(group, axisOptions(job));
+                   job.column_centre)}};
+  addSettings(group, settingTable(job.drive));
   return group;
 }
 

@@ -78,8 +78,8 @@ addSettings(HtmlPage& page, const Job& job)
   HtmlRows rows{{"Part", job.scan}, {"Written", outputs}, {"Cutter", cutterText(job.cutter)}};
   if (!scanShift().isZero())
     rows.push_back({"Shift of map coordinates", shiftText()});
-  if (job.scallop > 0.0)
-    rows.push_back({"Scallop height h", formatted("%g mm", job.scallop)});
+  if (job.drive.scallop_height > 0.0)
+    rows.push_back({"Scallop height h", formatted("%g mm", job.drive.scallop_height)});
   rows.insert(rows.end(), {{"Rows", choiceName(job.drive.rows)},
                            {"Spacing of drive points", formatted("%g mm", job.drive.point_spacing)},
                            {"Tool axes", choiceName(job.drive.axisMode())},

@@ -3,6 +3,7 @@
 #include "passes/pass_report.h"
 
 #include "io/report/run_options.h"
+#include "io/report/settings_json.h"
 #include "io/report/side_json.h"
 #include "io/setting_names.h"
 #include "mesh/mesh_findings.h"
@@ -17,19 +18,15 @@ namespace {
 Json
 settingsOf(const Job& job)
 {
-  const DriveSettings& d = job.drive;
-  return {{"cutter", cutterOf(job)},
-          {"drive", choiceName(d.kind)},
-          {"step_over", d.step_over},
-          {"rows", choiceName(d.rows)},
-          {"link", d.link_rows},
-          {"point_spacing", d.point_spacing},
-          {"axis_mode", choiceName(d.axisMode())},
-          {"tolerance", job.tolerance},
-          {"gouge_check", !job.no_gouge_check},
-          {"largest", job.largest_part},
-          {"thin", job.thinning},
-          {"feed", job.feed}};
+  Json settings = {{"cutter", cutterOf(job)},
+                   {"gouge_check", !job.no_gouge_check},
+                   {"largest", job.largest_part},
+                   {"thin", job.thinning},
+                   {"feed", job.feed}};
+  settings.update(settingsJson(job.drive));
+  settings["axis_mode"] = choiceName(job.drive.axisMode());
+  settings.update(settingsJson(static_cast<const PassSettings&>(job)));
+  return settings;
 }
 
 Json

@@ -23,7 +23,6 @@ struct Job : PassJob {
   std::string raw_scan;                                    ///< before it was smoothed; empty: not given
   std::optional<Eigen::Vector3d> column_axis;              ///< direction; found from the scan if not given
   Eigen::Vector3d column_centre = Eigen::Vector3d::Zero(); ///< a place on it
-  double scallop = 0.0;                                    ///< instead of a step-over
   bool one_way = false;
   RegionChoice regions; ///< several of them are cut one after the other
 };

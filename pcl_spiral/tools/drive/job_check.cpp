@@ -69,13 +69,13 @@ completeScallop(Job& job)
                      "leave --mesh out, or use --rows even");
   if (!isGiven(job, "scallop"))
     return;
-  requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
+  requireOption(job.drive.scallop_height > 0.0 && job.drive.scallop_height < job.cutter.radius, "scallop", job.drive.scallop_height,
                 "must be above 0 and below the tool radius, which is " + Diagnostic(job.cutter.radius) + " mm");
-  const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.scallop);
+  const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.drive.scallop_height);
   if (!step)
-    throw UsageError(Diagnostic("--scallop ", job.scallop, ": no step-over gives this height with this cutter; give a --step-over"));
+    throw UsageError(
+        Diagnostic("--scallop ", job.drive.scallop_height, ": no step-over gives this height with this cutter; give a --step-over"));
   d.step_over = *step;
-  d.scallop_height = job.scallop;
 }
 
 /** Refuses options for scans with a mesh, and options for meshes with a scan. */
@@ -89,8 +89,6 @@ requireMeshMeant(const Job& job)
   for (const char* option : {"crease-angle", "no-gouge-check"})
     if (!job.mesh && isGiven(job, option))
       throw UsageError(Diagnostic("--", option, ": belongs to meshes; add --mesh to use the faces of the file, or leave it out"));
-  requireOption(job.mesh_settings.crease_angle > 0.0 && job.mesh_settings.crease_angle <= 180.0, "crease-angle",
-                job.mesh_settings.crease_angle, "must be above 0 degrees and at most 180, such as 30");
   const DriveKind kind = job.drive.kind;
   if (job.mesh && kind == DriveKind::BoundaryOffset)
     throw UsageError(Diagnostic("--drive ", choiceName(kind),

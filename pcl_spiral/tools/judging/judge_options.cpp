@@ -7,6 +7,8 @@
 #include "terminal/read_options.h"
 #include "terminal/scan_places.h"
 
+#include <pcl_spiral/common/impl/thread_limit.h>
+
 namespace po = boost::program_options;
 
 namespace {
@@ -140,8 +142,11 @@ cutterOptions(const po::variables_map& given)
   read("flank-angle", settings.cutter.flank_angle);
   read("scallop", settings.scallop_height);
   read("chord-error", settings.chord_error);
-  if (given.count("threads") > 0)
-    threadsOption("", settings.threads).set(text("threads"));
+  if (given.count("threads") > 0) {
+    OptionGroup group;
+    addSettings(group, {pcl_spiral::threadsSetting(settings.threads)});
+    group.options.front().set(text("threads"));
+  }
   const bool radius_given = given.count("tool-radius") > 0;
   require(!radius_given || settings.cutter.radius > 0.0, "--tool-radius must be above 0 mm, such as 10");
   require(settings.scallop_height > 0.0 && (!radius_given || settings.scallop_height < settings.cutter.radius),

@@ -14,12 +14,6 @@
 
 using namespace pcl_spiral;
 
-namespace {
-
-constexpr double least_tolerance = 1e-4; // mm: the single precision of a scan resolves no less
-
-} // namespace
-
 bool
 isGiven(const PassJob& job, const std::string& option)
 {
@@ -38,10 +32,6 @@ completeCutter(PassJob& job)
 {
   completeCutter(isGiven(job, "corner-radius"), job.cutter);
   checkHolder(job.given, job.holder, job.holder_clearance, job.cutter.flank_length);
-  requireOption(job.ceiling > 0.0 || !isGiven(job, "ceiling"), "ceiling", job.ceiling, "must be above 0 mm, such as 60");
-  requireOption(job.max_retilt >= 0.0 && job.max_retilt <= 90.0, "max-retilt", job.max_retilt, "must be from 0 to 90 degrees, such as 30");
-  requireOption(job.retilt_step > 0.0 && job.retilt_step <= 180.0, "retilt-step", job.retilt_step,
-                "must be above 0 and at most 180 degrees, such as 3");
   if (isGiven(job, "retilt-step") && !(job.max_retilt > 0.0))
     throw UsageError("--retilt-step: no --max-retilt is given; give one, or leave it out");
 }
@@ -51,7 +41,6 @@ checkTool(const PassJob& job)
 {
   if (isGiven(job, "pole-cone") && !isBall(job))
     throw UsageError("--pole-cone: axes are blended only for ball cutters, because the ball's centre does not move; leave it out");
-  requireOption(job.tolerance >= least_tolerance, "tolerance", job.tolerance, "must be 0.0001 mm or more, such as 0.01");
   requireOption(job.tolerance <= std::max(least_tolerance, 0.1001 * job.cutter.radius), "tolerance", job.tolerance,
                 Diagnostic("must be at most a tenth of the tool radius of ", job.cutter.radius, " mm, such as ",
                            std::max(least_tolerance, 0.01 * job.cutter.radius)));
@@ -60,8 +49,6 @@ checkTool(const PassJob& job)
 void
 checkMotion(const PassJob& job)
 {
-  requireOption(job.axis_smoothing >= 0.0, "axis-smoothing", job.axis_smoothing, "must be above 0 mm, or 0 for none");
-  requireOption(job.max_axis_rate >= 0.0, "max-axis-rate", job.max_axis_rate, "must be above 0 degrees per mm, or 0 for no limit");
   requireOption(job.feed > 0.0, "feed", job.feed, "must be above 0 mm/min");
 }
 

@@ -3,6 +3,8 @@
 #include "program/holder_options.h"
 #include "terminal/cutter_shape.h"
 
+#include <pcl_spiral/common/impl/thread_limit.h>
+
 std::vector<Option>
 scanOptions(PassJob& job)
 {
@@ -42,48 +44,17 @@ cutterOptions(PassJob& job, const std::string& need)
                     job.cutter.flank_length),
        numberOption("flank-angle", "A", flank_angle_help, job.cutter.flank_angle)}};
   addOptions(group, holderOptions(job.holder, job.holder_clearance));
-  addOptions(group,
-             {numberOption("ceiling", "L",
-                           "the cutter comes from this far above the surface, along its axis: what is higher, such as the opposite "
-                           "wall of a bore, does not lift it; default the length of cutter and holder, without --holder ten radii or, "
-                           "if the axis is fixed, no limit: --ceiling 60",
-                           job.ceiling),
-              numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)});
+  addSettings(group, settingTable(static_cast<pcl_spiral::PassSettings&>(job)));
+  addOptions(group, {numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)});
   return group;
-}
-
-Option
-toleranceOption(PassJob& job)
-{
-  return numberOption("tolerance", "E",
-                      "adds points until no straight move gouges more or leaves more than this; default 0.01: "
-                      "--tolerance 0.005",
-                      job.tolerance);
-}
-
-std::vector<Option>
-axisOptions(PassJob& job)
-{
-  return {numberOption("axis-smoothing", "L",
-                       "smooths changes of the axis shorter than this along a pass, by up to 20 degrees on average; default 0, "
-                       "no smoothing: --axis-smoothing 20",
-                       job.axis_smoothing),
-          numberOption("max-retilt", "A",
-                       "where the holder would collide, or the cutter be lifted off its contact on a mesh, turn the axis by up to this, "
-                       "degrees; default 0, not at all: --max-retilt 30",
-                       job.max_retilt),
-          numberOption("retilt-step", "A",
-                       "largest change of that turn from one point of a pass to the next, degrees; default 3: --retilt-step 1",
-                       job.retilt_step),
-          numberOption("max-axis-rate", "D", "largest turn of the axis, degrees per mm; default 0, no limit: --max-axis-rate 4",
-                       job.max_axis_rate)};
 }
 
 OptionGroup
 runOptions(PassJob& job)
 {
-  return {"Run",
-          {threadsOption("the path does not depend on it", job.threads), switchOption("verbose", "print more", job.verbose),
-           switchOption("quiet", "print only errors", job.quiet), switchOption("help", "print this text", job.help),
-           switchOption("version", "print the version", job.version)}};
+  OptionGroup group{"Run", {}};
+  addSettings(group, {pcl_spiral::threadsSetting(job.threads)});
+  addOptions(group, {switchOption("verbose", "print more", job.verbose), switchOption("quiet", "print only errors", job.quiet),
+                     switchOption("help", "print this text", job.help), switchOption("version", "print the version", job.version)});
+  return group;
 }

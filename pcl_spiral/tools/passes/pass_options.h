@@ -13,9 +13,6 @@
 /** Options that select the points of a scan. */
 std::vector<Option> scanOptions(PassJob& job);
 Option configOption(PassJob& job);
-/** \p need: help text that explains what happens without the tool's radius. */
+/** Cutter, holder and the settings of its locations. \p need: help text that explains what happens without the tool's radius. */
 OptionGroup cutterOptions(PassJob& job, const std::string& need);
-Option toleranceOption(PassJob& job);
-/** Options for the axes along a pass. */
-std::vector<Option> axisOptions(PassJob& job);
 OptionGroup runOptions(PassJob& job);

@@ -130,17 +130,9 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
       std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".yaml"; }))
     throw UsageError(
         Diagnostic("--robot-z ", choiceName(program.robot_z), ": no output has robot frames; add an output .yaml, or leave it out"));
-  requireOption(s.lead_length > 0.0, "lead-length", s.lead_length, "must be above 0 mm");
-  requireOption(s.clearance > 0.0, "clearance", s.clearance, "must be above 0 mm");
-  requireOption(s.stay_down >= 0.0, "stay-down", s.stay_down, "must be above 0 mm, or 0 for retracts");
   if (given.count("stay-down") > 0 && !hasProgram(program, outputs))
     throw UsageError(
         "--stay-down: no output is a program, and only programs have links; add an output .ngc, .nc, .mpf or .h, or leave it out");
-  requireOption(s.rapid_height > 0.0, "rapid-height", s.rapid_height, "must be above 0 mm");
-  for (const auto& [name, feed] :
-       {std::pair("plunge-feed", s.plunge_feed), std::pair("lead-feed", s.lead_feed), std::pair("link-feed", s.link_feed)})
-    requireOption(feed >= 0.0, name, feed, "must be above 0 mm/min, or 0 for the feed");
-  requireOption(s.pole_cone >= 0.0 && s.pole_cone < 90.0, "pole-cone", s.pole_cone, "must be from 0 to below 90 degrees");
   requireOption(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
   requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * in_degrees,
                 "must be 0.00006 degrees or more");

@@ -24,41 +24,19 @@ OptionGroup
 programOptions(ProgramJob& program)
 {
   pcl_spiral::ProgramSettings& settings = program.settings;
-  return {
+  OptionGroup group{
       "Program for a machine with five or three axes (.ngc .nc .mpf .h)",
       {textOption("machine", "FILE", "machine file in YAML: axes, limits, rates: --machine xyzac.yaml", program.machine_file),
        choiceOption("dialect",
                     "language of a .nc; a .ngc is always for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain: --dialect siemens",
                     program.dialect),
-       choiceOption("lead-in", "how the tool moves to the path and leaves it; default normal: --lead-in arc", settings.lead),
-       numberOption("lead-length", "L", "length of the lead, or radius of the arc; default 2: --lead-length 5", settings.lead_length),
-       numberOption("clearance", "L", "the feed begins at this distance from the lead, along the tool axis; default 5: --clearance 3",
-                    settings.clearance),
-       numberOption("rapid-height", "L",
-                    "height of rapids above the highest tip, and above the scan if the part is chosen; default 50: "
-                    "--rapid-height 100",
-                    settings.rapid_height),
        choiceOption("robot-z",
                     "robot frames of a .yaml: at the tip with z along the tool axis, or at the contact with z along the surface's normal; "
                     "default axis: --robot-z normal",
                     program.robot_z),
-       numberOption("stay-down", "L",
-                    "go from pass to pass near the surface, at the height of the leads, if the way is at most this long and everything in "
-                    "the scan is at least half of --lead-length away; else the tool retracts; default 0, always retract: --stay-down 20",
-                    settings.stay_down),
-       numberOption("plunge-feed", "F", "feed of the way down to the lead, mm/min; default the feed: --plunge-feed 500",
-                    settings.plunge_feed),
-       numberOption("lead-feed", "F", "feed of leads to the path and off it, mm/min; default the feed: --lead-feed 400",
-                    settings.lead_feed),
-       numberOption("link-feed", "F", "feed of links that stay down between passes, mm/min; default the feed: --link-feed 3000",
-                    settings.link_feed),
        switchOption("accept-collisions",
                     "write the output even if the tool would touch the scan on its way to the path, or its shank or holder on the path",
                     program.accept_collisions),
-       numberOption("pole-cone", "A",
-                    "blends tool axes within this angle of the direction of the rotary axis, where that axis would turn too "
-                    "fast; default 5: --pole-cone 2",
-                    settings.pole_cone),
        tolerance("block-tolerance",
                  "largest distance of machine moves from the path, tip and axis; default 0.002,0.06: --block-tolerance 0.005,0.1",
                  settings.block),
@@ -93,4 +71,6 @@ programOptions(ProgramJob& program)
                   "code on its own line at the end of each pass: the beam is off on leads, between passes and while a rotary "
                   "axis unwinds; default none: --pass-end \"M63 P0\"",
                   program.header.pass_end)}};
+  addSettings(group, settingTable(settings));
+  return group;
 }

@@ -57,56 +57,25 @@ placesOf(const std::string& option, const std::string& value)
 OptionGroup
 ridge(Job& job)
 {
-  return {
+  OptionGroup group{
       "Ridge (mm, degrees)",
-      {placeOption("reference",
-                   "reference normal: the generator's chord keeps its angle to the plane with this normal, and this side is up; for an "
-                   "upright rail give a direction across it; default 0,0,1: --reference 1,0,0",
-                   job.ridge.reference),
-       numberOption("measuring-error", "S",
-                    "standard deviation of a coordinate of the measured points; default 0, found from the points: --measuring-error 0.02",
-                    job.ridge.measuring_error),
-       switchOption("flip-normals", "the tool is on the other side of the ridge", job.ridge.flip),
-       {"through", "X,Y,Z/...",
+      {{"through", "X,Y,Z/...",
         "rough points on the ridge in --scan, in its coordinates, mm: at both ends, and between them where it bends: --through "
         "0,0,0/300,50,20/600,0,0",
         [&job](const std::string& value) { job.through = placesOf("through", value); }},
        numberOption("half-width", "L", "half width of the ridge in --scan, from its crest to each side: --half-width 12", job.half_width),
        switchOption("ring", "the ridge in --scan is closed", job.ring)}};
+  addSettings(group, settingTable(job.ridge));
+  return group;
 }
 
 OptionGroup
 rows(Job& job)
 {
-  RidgeRowSettings& s = job.rows;
-  OptionGroup group{
-      "Rows (mm, degrees); give one of --spot, --step-over and --scallop",
-      {choiceOption("direction", "rows along the rail or across it; default along: --direction across", s.direction),
-       switchOption("one-way", "all rows in one direction; default back and forth", job.one_way),
-       numberOption("spot", "D", "diameter of a beam's spot: --spot 4", s.spot_size),
-       numberOption("overlap", "SHARE", "share of the spot that the next row covers again, below 1; default 0: --overlap 0.25", s.overlap),
-       numberOption("step-over", "D", "largest distance between neighbouring rows: --step-over 1", s.step_over),
-       numberOption("scallop", "H", "largest ridge height that a ball may leave between rows: --scallop 0.02", job.scallop),
-       numberOption("point-spacing", "D", "largest distance between consecutive points; default 1: --point-spacing 0.5", s.point_spacing),
-       choiceOption(
-           "steps",
-           "points at equal distances on each row, or, as published, at equal stations of the rail; default equal: --steps stations",
-           s.steps),
-       choiceOption("normals",
-                    "true normals; as published, in the rail's normal plane (wrong where the ridge twists); or from an arc through start, "
-                    "middle and end of the generator; default true: --normals in-plane",
-                    s.normals),
-       numberOption("stand-off", "L", "distance of a beam's tip from the surface, along the normal; default 0: --stand-off 10",
-                    s.stand_off),
-       numberOption("lead", "A", "lead of the tool axis, forward along the row; default 0: --lead 5", s.lead),
-       numberOption("tilt", "A", "tilt of the tool axis, to the right of travel; default 0: --tilt 5", s.tilt),
-       numberOption("run-in", "L",
-                    "each row begins this far before the ridge, on a straight line; --pass-begin comes before it; default 0: --run-in 3",
-                    s.run_in),
-       numberOption("run-out", "L", "each row ends this far behind the ridge; --pass-end comes after it; default 0: --run-out 3",
-                    s.run_out),
-       toleranceOption(job)}};
-  addOptions(group, axisOptions(job));
+  OptionGroup group{"Rows (mm, degrees); give one of --spot, --step-over and --scallop",
+                    {switchOption("one-way", "all rows in one direction; default back and forth", job.one_way),
+                     numberOption("scallop", "H", "largest ridge height that a ball may leave between rows: --scallop 0.02", job.scallop)}};
+  addSettings(group, settingTable(job.rows));
   return group;
 }
 

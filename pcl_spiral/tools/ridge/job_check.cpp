@@ -67,21 +67,14 @@ checkRows(Job& job)
     requireOption(s.spot_size > 0.0, "spot", s.spot_size, "must be above 0 mm");
   if (isGiven(job, "step-over"))
     requireOption(s.step_over > 0.0, "step-over", s.step_over, "must be above 0 mm");
-  requireOption(s.overlap >= 0.0 && s.overlap < 1.0, "overlap", s.overlap, "must be 0 or more and below 1, such as 0.25");
   if (!isGiven(job, "spot"))
     refuse(job, {"overlap"}, "belongs to --spot; leave it out");
-  requireOption(s.stand_off >= 0.0, "stand-off", s.stand_off,
-                "must not be below 0 mm; for the other side of the ridge give --flip-normals");
-  requireOption(s.point_spacing > 0.0, "point-spacing", s.point_spacing, "must be above 0 mm");
-  requireOption(s.run_in >= 0.0, "run-in", s.run_in, "must not be below 0 mm");
-  requireOption(s.run_out >= 0.0, "run-out", s.run_out, "must not be below 0 mm");
   s.zigzag = !job.one_way;
 }
 
 void
 checkBeam(Job& job)
 {
-  requireOption(job.tolerance > 0.0, "tolerance", job.tolerance, "must be above 0 mm, such as 0.01");
   job.rows.chord_error = job.tolerance;
   refuse(job,
          {"corner-radius", "flank-length", "flank-angle", "holder", "holder-clearance", "ceiling", "max-retilt", "retilt-step",

@@ -4,6 +4,7 @@
 #include "passes/pass_report.h"
 
 #include "io/report/run_options.h"
+#include "io/report/settings_json.h"
 #include "io/setting_names.h"
 
 using namespace pcl_spiral;
@@ -20,30 +21,11 @@ placeOf(const Eigen::Vector3d& place)
 Json
 settingsOf(const Job& job)
 {
-  const RidgeRowSettings& s = job.rows;
-  Json settings = {{"reference", placeOf(job.ridge.reference)},
-                   {"measuring_error", job.ridge.measuring_error},
-                   {"flip_normals", job.ridge.flip},
-                   {"direction", choiceName(s.direction)},
-                   {"one_way", !s.zigzag},
-                   {"spot", s.spot_size},
-                   {"overlap", s.overlap},
-                   {"step_over", s.step_over},
-                   {"scallop", job.scallop},
-                   {"point_spacing", s.point_spacing},
-                   {"steps", choiceName(s.steps)},
-                   {"normals", choiceName(s.normals)},
-                   {"stand_off", s.stand_off},
-                   {"lead", s.lead},
-                   {"tilt", s.tilt},
-                   {"run_in", s.run_in},
-                   {"run_out", s.run_out},
-                   {"tolerance", job.tolerance},
-                   {"axis_smoothing", job.axis_smoothing},
-                   {"max_axis_rate", job.max_axis_rate},
-                   {"units", choiceName(job.read.unit)},
-                   {"origin", placeOf(job.read.origin)},
-                   {"feed", job.feed}};
+  Json settings = {
+      {"one_way", job.one_way}, {"units", choiceName(job.read.unit)}, {"origin", placeOf(job.read.origin)}, {"feed", job.feed}};
+  settings.update(settingsJson(job.ridge));
+  settings.update(settingsJson(job.rows));
+  settings.update(settingsJson(static_cast<const PassSettings&>(job)));
   if (!job.through.empty()) {
     Json places = Json::array();
     for (const Eigen::Vector3d& place : job.through)
@@ -52,9 +34,8 @@ settingsOf(const Job& job)
     settings["half_width"] = job.half_width;
     settings["ring"] = job.ring;
   }
-  if (job.hasCutter()) {
+  if (job.hasCutter())
     settings["cutter"] = cutterOf(job);
-  }
   return settings;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_table.h"
 
-#include <pcl_spiral/common/impl/thread_limit.h>
-
 #include <algorithm>
+#include <cctype>
 #include <numeric>
+
+using namespace pcl_spiral;
 
 namespace {
 
@@ -26,7 +27,88 @@ editDistance(const std::string& a, const std::string& b)
   return row.back();
 }
 
+/** What stands for the value in the help: "MM", "DEGREES", "X,Y,Z", "cw|ccw". */
+std::string
+argumentOf(const Setting& setting)
+{
+  if (std::holds_alternative<bool*>(setting.target))
+    return {};
+  if (const auto* choice = std::get_if<ChoiceTarget>(&setting.target))
+    return choice->words;
+  if (!numberOf(setting) && !std::holds_alternative<std::optional<double>*>(setting.target))
+    return "X,Y,Z";
+  std::string argument = setting.unit.empty() ? "N" : setting.unit;
+  for (char& letter : argument)
+    letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  return argument;
+}
+
+/** "radius of the ball cutter; required: --tool-radius 10" */
+std::string
+helpOf(const Setting& setting)
+{
+  const std::optional<double> number = numberOf(setting);
+  const std::string value = textOf(setting);
+  std::string help = setting.help;
+  const bool is_zero = value.empty() || value == "0";
+  if (number && !setting.range.takes(*number))
+    help += "; required";
+  else if (!setting.zero.empty() && is_zero)
+    help += "; default " + setting.zero;
+  else if (!value.empty() && !std::holds_alternative<bool*>(setting.target))
+    help += "; default " + value;
+  if (!setting.zero.empty() && !is_zero)
+    help += ", 0 for " + setting.zero;
+  return setting.example.empty() ? help : help + ": --" + setting.optionName() + " " + setting.example;
+}
+
+/** Sets the variable of a setting from the text of its option. \throw UsageError */
+struct TakeText {
+  const Setting& setting;
+  const std::string& name;
+  const std::string& text;
+  void operator()(bool* target) const { switchOption(name, "", *target).set(text); }
+  void operator()(int* target) const { *target = wholeNumberValue(name, text); }
+  void operator()(unsigned int* target) const
+  {
+    const int number = wholeNumberValue(name, text);
+    requireOption(number >= 0, name, number, ruleOf(setting));
+    *target = static_cast<unsigned int>(number);
+  }
+  void operator()(double* target) const { *target = numberValue(name, text); }
+  void operator()(std::optional<double>* target) const { *target = numberValue(name, text); }
+  void operator()(Eigen::Vector3d* target) const { *target = placeValue(name, text); }
+  void operator()(std::optional<Eigen::Vector3d>* target) const { *target = placeValue(name, text); }
+  void operator()(const ChoiceTarget& target) const
+  {
+    if (!target.take(text))
+      throw UsageError(Diagnostic("--", name, " ", text, ": must be one of ", target.words));
+  }
+};
+
 } // namespace
+
+void
+addSettings(OptionGroup& group, const std::vector<Setting>& settings)
+{
+  for (const Setting& setting : settings) {
+    const std::string name = setting.optionName();
+    if (!setting.in_programs || findOption({group}, name))
+      continue;
+    group.options.push_back({name, argumentOf(setting), helpOf(setting), [setting, name](const std::string& text) {
+                               std::visit(TakeText{setting, name, text}, setting.target);
+                               requireInRange({setting});
+                             }});
+  }
+}
+
+void
+requireInRange(const std::vector<Setting>& settings)
+{
+  for (const Setting& setting : settings)
+    if (const std::optional<double> number = numberOf(setting))
+      requireOption(setting.range.takes(*number), setting.optionName(), *number, ruleOf(setting));
+}
 
 void
 addOptions(OptionGroup& group, const std::vector<Option>& more)
@@ -78,17 +160,6 @@ Option
 wholeNumberOption(const std::string& name, const std::string& argument, const std::string& help, int& target)
 {
   return {name, argument, help, [name, &target](const std::string& value) { target = wholeNumberValue(name, value); }};
-}
-
-Option
-threadsOption(const std::string& why, unsigned int& target)
-{
-  return {"threads", "N", "number of threads; default 0, all; " + why + ": --threads 4", [&target](const std::string& value) {
-            const int threads = wholeNumberValue("threads", value);
-            requireOption(threads >= 0 && threads <= static_cast<int>(pcl_spiral::most_threads), "threads", threads,
-                          "must be from 1 to 256, or 0 for all");
-            target = static_cast<unsigned int>(threads);
-          }};
 }
 
 Option

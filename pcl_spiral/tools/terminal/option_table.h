@@ -6,6 +6,8 @@
 
 #include "option_values.h"
 
+#include <pcl_spiral/core/setting.h>
+
 #include <functional>
 #include <string>
 #include <utility>
@@ -32,6 +34,12 @@ struct OptionGroup {
 /** All options of a program. The variables they set must outlive them. */
 using OptionTable = std::vector<OptionGroup>;
 
+/** An option for each of \p settings that programs have and that \p group does not have yet: its help has the default, and an example. */
+void addSettings(OptionGroup& group, const std::vector<pcl_spiral::Setting>& settings);
+
+/** \throw UsageError if one of \p settings does not take its value */
+void requireInRange(const std::vector<pcl_spiral::Setting>& settings);
+
 /** Adds \p more after the options of \p group. */
 void addOptions(OptionGroup& group, const std::vector<Option>& more);
 
@@ -49,9 +57,6 @@ Option numberOption(const std::string& name, const std::string& argument, const 
 
 /** An option for a whole number. */
 Option wholeNumberOption(const std::string& name, const std::string& argument, const std::string& help, int& target);
-
-/** The option --threads; \p why: help text on what does not depend on it. */
-Option threadsOption(const std::string& why, unsigned int& target);
 
 /** An option for text, taken unchanged. */
 Option textOption(const std::string& name, const std::string& argument, const std::string& help, std::string& target);

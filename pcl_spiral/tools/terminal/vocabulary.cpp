@@ -3,6 +3,11 @@
 
 #include "scan_places.h"
 
+#include <pcl_spiral/machine/machine_program_generator.h>
+#include <pcl_spiral/planning/pass_plan.h>
+#include <pcl_spiral/ridge/ridge_rows.h>
+#include <pcl_spiral/spiral/spiral_settings.h>
+
 #include <iterator>
 #include <utility>
 
@@ -10,7 +15,7 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** What the library calls a setting, the option for it, and what is shown of it. */
+/** What the library calls a setting that is in no table, or that has another name too; the option for it, and what is shown of it. */
 struct SettingWords {
   const char* setting;
   const char* option;
@@ -19,14 +24,7 @@ struct SettingWords {
 
 constexpr SettingWords settings[] = {
     {"FeedMode", "feed-mode", "--feed-mode inverse-time"},
-    {"setFixedAxis", "axis"},
-    {"setTiltAngle", "tilt"},
-    {"setLeadAngle", "lead"},
-    {"setThinning", "thin"},
-    {"setLargestPart", "largest"},
-    {"setPartAt", "part-at"},
     {"PartRegion", "region"},
-    {"setClusterHandling", "clusters"},
     {"setClusterHandling(ClusterHandling::LeaveOut)", "clusters", "--clusters leave-out"},
     {"setCropBox", "crop"},
     {"addKeepOut", "keep-out"},
@@ -34,72 +32,25 @@ constexpr SettingWords settings[] = {
     {"setHolder", "holder"},
     {"setFlankLength", "flank-length"},
     {"setAcceptCollisions", "accept-collisions"},
-    {"ProgramSettings::pole_cone", "pole-cone"},
     {"setGougeCheck", "no-gouge-check"},
-    {"setOverrun", "overrun"},
-    {"setKind", "drive"},
-    {"MeshSettings::crease_angle", "crease-angle"},
-    {"ProgramSettings::lead", "lead-in"},
-    {"ProgramSettings::stay_down", "stay-down"},
-    {"ProgramSettings::lead_length", "lead-length"},
     {"setLeaveOutStrays", "leave-out-strays"},
-    {"PassSettings::max_retilt", "max-retilt"},
-    {"PassSettings::ceiling", "ceiling"},
     {"MeshSections", "mesh", "pcl_spiral_drive --mesh"},
     {"setCrop", "crop"},
-    {"setViewPoint", "view-point"},
-    {"setFlipNormals", "flip-normals"},
-    {"setOutlierRemoval", "outliers"},
-    {"setGapHandling", "gaps"},
-    {"setTightHandling", "tight"},
-    {"setBoundaryMode", "boundaries"},
-    {"setLineMethod", "lines"},
-    {"setCenter", "center"},
     {"clearCenter", "center", "without --center"},
-    {"setMethod", "method"},
-    {"setPitch", "pitch"},
-    {"setSense", "sense"},
-    {"setStartPoint", "start"},
-    {"setMaxStep", "max-step"},
-    {"setHoleHandling", "holes"},
-    {"setHoleSize", "hole-size"},
-    {"setOneWay", "one-way"},
-    {"setHoleMargin", "hole-margin"},
-    {"setRimOverhang", "rim"},
-    {"setLeastTurnRadius", "turn-radius"},
-    {"setToolRadius", "tool-radius"},
     {"setCutter", "tool-radius", "--tool-radius, --corner-radius, --flank-length and --flank-angle"},
     {"setInputTips", "corner-radius", "columns tip_x, tip_y, tip_z of a .csv"},
-    {"setScallopHeight", "scallop"},
-    {"setScallop", "scallop"},
-    {"setPlaneDirection", "direction"},
     {"setPlaneNormal", "direction"},
-    {"setStepOver", "step-over"},
-    {"setPointSpacing", "point-spacing"},
-    {"setAxis", "axis"},
-    {"setAxisMode", "axis-mode"},
-    {"setAxisSmoothing", "axis-smoothing"},
-    {"setMaxAxisRate", "max-axis-rate"},
-    {"setRows", "rows"},
     {"setCeiling", "ceiling"},
     {"setMaxRetilt", "max-retilt"},
     {"setRetiltStep", "retilt-step"},
-    {"setChordError", "chord-error"},
-    {"setReferenceNormal", "reference"},
-    {"setMeasuringError", "measuring-error"},
     {"setRoughPoints", "through"},
     {"setHalfWidth", "half-width"},
     {"setClosed", "ring"},
     {"setSpot", "spot", "--spot and --overlap"},
-    {"setStandOff", "stand-off"},
-    {"setLead", "lead"},
-    {"setTilt", "tilt"},
     {"setCylinder", "column-axis", "--column-axis and --column-centre"},
     {"MaterialRemoval", "verify"},
     {"StrayRemoval", "leave-out-strays"},
     {"setSampleSpacing", "sample-spacing"},
-    {"setCreaseAngle", "crease-angle"},
-    {"setNumberOfThreads", "threads"},
     {"Limits::gouge", "max-gouge"},
     {"Limits::scallop", "max-scallop"},
     {"Limits::deviation", "max-deviation"},
@@ -114,8 +65,17 @@ constexpr SettingWords settings[] = {
     {"setClusterHandling(ClusterHandling::Ride)", "clusters", "--clusters ride"},
     {"BallReach", "reach", "--reach FILE"},
     {"setTightHandling(TightHandling::Refuse)", "tight", "--tight refuse"},
-    {"MeshSettings::flip", "flip-normals"},
 };
+
+/** The options for the settings of a table. */
+template <typename Settings>
+void
+addTable(Settings settings, Vocabulary& vocabulary)
+{
+  for (const Setting& setting : settingTable(settings))
+    if (hasOption(setting.optionName()))
+      vocabulary.words[setting.setter] = "--" + setting.optionName();
+}
 
 bool of_mesh = false;
 
@@ -148,6 +108,13 @@ programWords()
 {
   Vocabulary vocabulary;
   vocabulary.has_setters = false;
+  addTable(SpiralSettings(), vocabulary);
+  addTable(DriveSettings(), vocabulary);
+  addTable(PassSettings(), vocabulary);
+  addTable(MeshSettings(), vocabulary);
+  addTable(RidgeSettings(), vocabulary);
+  addTable(RidgeRowSettings(), vocabulary);
+  addTable(ProgramSettings(), vocabulary);
   for (const SettingWords& s : settings)
     if (hasOption(s.option))
       vocabulary.words[s.setting] = s.words != nullptr ? s.words : std::string("--") + s.option;

@@ -8,6 +8,7 @@
 
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
+#include <pcl_spiral/spiral/impl/settings_check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,26 +31,12 @@ checkCutter(const Job& job)
   const pcl_spiral::SpiralSettings& s = job.settings;
   requireGiven(job, "tool-radius", "give the radius of the ball cutter in mm, such as --tool-radius 10");
   requireGiven(job, "scallop", "give the height of the ridge left between turns in mm, such as --scallop 0.05");
-  requireOption(s.tool_radius > 0.0, "tool-radius", s.tool_radius, "must be above 0 mm, such as 10");
-  requireOption(s.scallop_height > 0.0, "scallop", s.scallop_height, "must be above 0 mm, such as 0.05");
-  requireOption(s.scallop_height < s.tool_radius, "scallop", s.scallop_height,
-                pcl_spiral::Diagnostic("must be below the tool radius, which is ", pcl_spiral::SixDigits(s.tool_radius),
-                                       " mm; a hundredth of the radius is usual"));
-  requireOption(s.chord_error > 0.0, "chord-error", s.chord_error, "must be above 0 mm, such as 0.005");
-  requireOption(s.chord_error < s.tool_radius, "chord-error", s.chord_error,
-                pcl_spiral::Diagnostic("must be below the tool radius, which is ", pcl_spiral::SixDigits(s.tool_radius), " mm"));
-  requireOption(s.max_step >= 0.0, "max-step", s.max_step, "must be above 0 mm, or 0 for the tool radius");
-  requireOption(std::abs(s.tilt_angle) < 90.0, "tilt", s.tilt_angle, "must be between -90 and 90 degrees");
-  requireOption(std::abs(s.lead_angle) < 90.0, "lead", s.lead_angle, "must be between -90 and 90 degrees");
   for (const char* option : {"tilt", "lead", "axis-smoothing", "axis-deviation", "max-axis-rate"})
     if (s.fixed_axis && job.given.count(option) > 0)
       throw UsageError(
           pcl_spiral::Diagnostic("--", option, " changes the tool axis along the path, and --axis keeps it; leave one of the two out"));
-  requireOption(s.max_axis_rate > 0.0, "max-axis-rate", s.max_axis_rate, "must be above 0 degrees per mm");
-  requireOption(s.axis_smoothing >= 0.0, "axis-smoothing", s.axis_smoothing, "must be above 0 mm, or 0 for none");
-  requireOption(s.axis_deviation > 0.0 && s.axis_deviation < 90.0, "axis-deviation", s.axis_deviation, "must be between 0 and 90 degrees");
-  requireOption(s.feed > 0.0, "feed", s.feed, "must be above 0 mm/min");
-  requireOption(s.thinning >= 0.0, "thin", s.thinning, "must be above 0 mm, or 0 for none");
+  if (const pcl_spiral::Status status = pcl_spiral::checkSettings(s); !status.ok())
+    throw UsageError(status.diagnostic());
 }
 
 /** Checks --mesh, and the options that belong only to scans or only to meshes. */

@@ -6,6 +6,8 @@
 #include "terminal/read_options.h"
 #include "terminal/scan_places.h"
 
+#include <pcl_spiral/common/impl/thread_limit.h>
+
 using pcl_spiral::SpiralSettings;
 
 namespace {
@@ -78,35 +80,13 @@ files(Job& job)
 OptionGroup
 cutter(Job& job)
 {
-  SpiralSettings& s = job.settings;
-  OptionGroup group{
-      "Cutter and finish (mm, degrees)",
-      {numberOption("tool-radius", "R", "radius of the ball cutter; required: --tool-radius 10", s.tool_radius),
-       numberOption("scallop", "H", "scallop height, the largest ridge between turns; required: --scallop 0.05", s.scallop_height),
-       numberOption("chord-error", "E", "largest distance of linear moves from the curve; default 0.005: --chord-error 0.002",
-                    s.chord_error),
-       numberOption("max-step", "L", "longest linear move; default the tool radius: --max-step 5", s.max_step),
-       numberOption("tilt", "A", "side tilt of the axis about the feed direction; default 15: --tilt 0", s.tilt_angle),
-       numberOption("lead", "A", "lead of the axis along the feed direction; default 0: --lead 5", s.lead_angle),
-       placeOption("axis",
-                   "one tool axis for the whole path, from tip to shank, instead of tilt and lead, for machines with three axes or one "
-                   "fixed tilt: --axis 0,0,1",
-                   s.fixed_axis),
-       numberOption("max-axis-rate", "D", "largest turn of the axis, degrees per mm; default 10: --max-axis-rate 4", s.max_axis_rate),
-       numberOption("axis-smoothing", "L",
-                    "smooths changes of the axis shorter than this along the path; default 50, 0 for no smoothing: "
-                    "--axis-smoothing 20",
-                    s.axis_smoothing),
-       numberOption("axis-deviation", "A",
-                    "largest change of the tilt by smoothing, on average over its length; default 2: --axis-deviation 1", s.axis_deviation),
-       numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", s.feed),
-       numberOption("acceleration", "A",
-                    "acceleration of the machine, mm/s2; used for the time of sharp turns; default 2000: --acceleration 500",
-                    s.acceleration),
-       numberOption("flank-length", "L",
-                    "length of the shank, as wide as the ball, from the centre of the ball up to the holder; needed with --holder: "
-                    "--flank-length 20",
-                    job.flank_length)}};
+  OptionGroup group{"Cutter and finish (mm, degrees)", {}};
+  addSettings(group, pcl_spiral::cutterTable(job.settings));
+  addOptions(group,
+             {numberOption("flank-length", "L",
+                           "length of the shank, as wide as the ball, from the centre of the ball up to the holder; needed with --holder: "
+                           "--flank-length 20",
+                           job.flank_length)});
   addOptions(group, holderOptions(job.holder, job.holder_clearance));
   return group;
 }
@@ -114,45 +94,12 @@ cutter(Job& job)
 OptionGroup
 spiral(SpiralSettings& s)
 {
-  return {
+  OptionGroup group{
       "Spiral",
-      {placeOption("center", "centre of a part with one boundary, mm, in the scan's coordinates; default found: --center 0,0,860",
-                   s.centre),
-       placeOption("start", "the path meets the rim nearest to this place, mm, in the scan's coordinates: --start 1650,0,0", s.start_point),
-       choiceOption("boundaries",
-                    "one: the rim; two: the rim and the longest hole; all: the rim and every hole; default auto: --boundaries two",
-                    s.boundary_mode),
-       choiceOption("holes", "the path runs round holes or over them, or a part with holes is refused; default around: --holes over",
-                    s.holes),
-       numberOption("hole-size", "W",
-                    "a hole narrower than this, mm, is a gap in the data: the path runs over it, marked; default found from the scan; with "
-                    "--mesh one step-over, or six sample spacings if that is more: --hole-size 8",
-                    s.hole_size),
-       numberOption("hole-margin", "D", "distance of the path from holes, mm; default 0: --hole-margin 1", s.hole_margin),
-       {"rim", "on|inside,D|beyond,D", "position of the pass along the rim, D mm inside or beyond it; default on: --rim beyond,2",
-        [&s](const std::string& value) { setRim(s.rim_overhang, value); }},
-       choiceOption("direction", "from the inside outward, or inward; default outward: --direction inward", s.direction),
-       choiceOption("sense", "direction of travel round the part, seen from outside; default ccw: --sense cw", s.sense),
-       switchOption("one-way", "cut only in the sense of --sense: several passes with lifts between them where loops are side by side",
-                    s.one_way),
-       choiceOption("method",
-                    "shortest: radial or constant-scallop, whichever has the shorter predicted machining time; radial: turns about a "
-                    "centre or a hole; constant-scallop: loops along rim and holes, linked to one path; published: the method of Wu "
-                    "et al. 2025, for comparison; default shortest: --method radial",
-                    s.method),
-       numberOption("turn-radius", "R",
-                    "warn of turns with a smaller radius than this, in step-overs, 0 to 0.25; default 0.2: --turn-radius 0.1",
-                    s.least_turn_radius),
-       choiceOption("pitch",
-                    "where the distance of turns is measured: across the feed, or along the radial lines as published; default across: "
-                    "--pitch along",
-                    s.pitch),
-       choiceOption("lines", "how radial lines are found; default auto: --lines harmonic", s.lines),
-       choiceOption("tight",
-                    "places that the ball does not reach: it rides over them without a gouge, and what stays is reported; or a hollow "
-                    "tighter than the ball is refused; default ride: --tight refuse",
-                    s.tight),
-       choiceOption("gaps", "gaps in the data are bridged or refused; default bridge: --gaps refuse", s.gaps)}};
+      {{"rim", "on|inside,D|beyond,D", "position of the pass along the rim, D mm inside or beyond it; default on: --rim beyond,2",
+        [&s](const std::string& value) { setRim(s.rim_overhang, value); }}}};
+  addSettings(group, pcl_spiral::turnTable(s));
+  return group;
 }
 
 OptionGroup
@@ -167,14 +114,11 @@ surface(Job& job)
        numberOption("sample-spacing", "D",
                     "spacing of the samples of --mesh, mm; default found from its curvature and the step-over: --sample-spacing 0.5",
                     job.sample_spacing),
-       placeOption("view-point", view_point_help, job.settings.view_point),
-       switchOption("flip-normals", "the cutter is on the other side of the scan or mesh", job.settings.flip_normals),
-       switchOption("largest", "of several separate parts keep only the largest: --largest", job.settings.largest_part),
-       numberOption("thin", "EDGE", "keep one point per cube of this edge, mm; default 0, no thinning: --thin 2", job.settings.thinning),
        {"outliers", "K,SIGMA", "remove points farther than SIGMA standard deviations from their K neighbours: --outliers 16,3",
         [&job](const std::string& value) { setOutliers(job, value); }}}};
   addOptions(group, regionOptions(job.part, job.regions));
   addOptions(group, {clustersOption(job.part)});
+  addSettings(group, settingTable(static_cast<pcl_spiral::SurfaceSettings&>(job.settings)));
   return group;
 }
 
@@ -194,17 +138,19 @@ limitOption(const std::string& name, const std::string& argument, const std::str
 OptionGroup
 running(Job& job)
 {
-  return {
-      "Run",
-      {threadsOption("the path does not depend on it", job.settings.threads),
-       switchOption("verify", "check the path against the scan or mesh: deviation, scallop, gouge; about doubles the time", job.verify),
+  OptionGroup group{"Run", {}};
+  addSettings(group, {pcl_spiral::threadsSetting(job.settings.threads)});
+  addOptions(
+      group,
+      {switchOption("verify", "check the path against the scan or mesh: deviation, scallop, gouge; about doubles the time", job.verify),
        limitOption("max-gouge", "G", "depth of gouges, mm: --max-gouge 0.01", job.verify, job.limits.gouge),
        limitOption("max-scallop", "S", "height of ridges and of stock at the rim, mm: --max-scallop 0.06", job.verify, job.limits.scallop),
        limitOption("max-deviation", "D", "distance of the contacts from the surface, mm: --max-deviation 0.02", job.verify,
                    job.limits.deviation),
        limitOption("max-uncut", "P", "points of the surface that are not cut, percent: --max-uncut 0", job.verify, job.limits.uncut),
        switchOption("verbose", "print more: the time of each stage", job.verbose), switchOption("quiet", "print only errors", job.quiet),
-       switchOption("help", "print this text", job.help), switchOption("version", "print the version", job.version)}};
+       switchOption("help", "print this text", job.help), switchOption("version", "print the version", job.version)});
+  return group;
 }
 
 } // namespace

@@ -122,7 +122,7 @@ TEST(CutterLocation, PathsCloudsAndSettingsThatCannotBeAreNamed)
       change(l);
     });
   };
-  by_points("view point is not finite", [&](Location& l) { l.setViewPoint(Vector3d(nan, 0.0, 0.0)); });
+  by_points("the view point is nan,0,0: its coordinates must be finite", [&](Location& l) { l.setViewPoint(Vector3d(nan, 0.0, 0.0)); });
   by_points("there are 5 normals for 2000 points",
             [](Location& l) { l.setInputNormals(pcl::PointCloud<pcl::Normal>::Ptr(new pcl::PointCloud<pcl::Normal>(5, 1))); });
   const Located points = located(few, CutterShape::ball(2.0), {{{1, 2, 0}, up, Vector3d::Zero()}}, Evaluation::Points);

@@ -150,7 +150,7 @@ TEST(DrivePath, RefusesWhatCannotBe)
         d.setStepOver(1.0);
         d.setPlaneDirection(nan);
       },
-      "not finite");
+      "the direction of the passes is nan degrees: it must be a number");
   refused(
       plate,
       [](Drive& d) {

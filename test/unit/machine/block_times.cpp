@@ -236,7 +236,7 @@ TEST(BlockTimes, FeedsOutOfRangeAreRefused)
   };
   ProgramSettings settings;
   settings.plunge_feed = -1.0;
-  EXPECT_NE(refusal(settings).find("the plunge feed is -1; it must be above 0 mm/min, or 0 for the feed"), std::string::npos);
+  EXPECT_NE(refusal(settings).find("the plunge feed is -1 mm/min: it must be above 0 mm/min, or 0 for the feed"), std::string::npos);
   settings = {};
   settings.lead_feed = std::nan("");
   EXPECT_NE(refusal(settings).find("the lead feed is nan"), std::string::npos);

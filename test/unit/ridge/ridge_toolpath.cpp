@@ -236,7 +236,7 @@ TEST(RidgeToolpath, RefusesWhatCannotBe)
       },
       "the scallop height is 6");
   refused([](Ridge& r) { r.setPointSpacing(0.0); }, "the spacing of points is 0");
-  refused([](Ridge& r) { r.setLead(90.0); }, "lead and tilt");
+  refused([](Ridge& r) { r.setLead(90.0); }, "the lead angle is 90 degrees");
   refused([](Ridge& r) { r.setRunIn(-1.0); }, "run-in");
   refused([](Ridge& r) { r.setRunOut(1e12); }, "run-out");
   refused([](Ridge& r) { r.setStepOver(std::numeric_limits<double>::infinity()); }, "step-over");

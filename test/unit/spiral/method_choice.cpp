@@ -105,20 +105,15 @@ TEST(MethodChoice, ConstantScallopRefusesSettingsOfLines)
   EXPECT_NE(generator.getStatus().message().find("setCenter"), std::string::npos);
 }
 
-TEST(MethodChoice, AFailedRadialMethodIsPutBackForConstantScallop)
+TEST(MethodChoice, OnlyAFailureOfTheRadialMethodLeadsToConstantScallop)
 {
-  SpiralReport before, report;
-  before.warnings = {"of the scan"};
-  report.warnings = {"of the scan", "of the lines"};
-  report.method = SpiralMethod::Radial;
-  report.stages.push_back({});
-  EXPECT_FALSE(putBackRadial({StatusCode::Cancelled, "cancelled"}, SpiralTurns(), before, report));
-  EXPECT_FALSE(putBackRadial({StatusCode::InvalidArgument, "too large"}, SpiralTurns(), before, report));
-  ASSERT_TRUE(putBackRadial({StatusCode::Failed, "no radial lines were found"}, SpiralTurns(), before, report));
-  EXPECT_EQ(report.method, before.method);
-  EXPECT_EQ(report.stages.size(), 1U);
-  ASSERT_EQ(report.warnings.size(), 2U);
-  EXPECT_NE(report.warnings[1].text().find("no radial lines were found"), std::string::npos) << report.warnings[1];
+  EXPECT_EQ(whyNotRadial({StatusCode::Cancelled, "cancelled"}, SpiralTurns()), Diagnostic());
+  EXPECT_EQ(whyNotRadial({StatusCode::InvalidArgument, "too large"}, SpiralTurns()), Diagnostic());
+  EXPECT_EQ(whyNotRadial({StatusCode::Failed, "no radial lines were found"}, SpiralTurns()), Diagnostic("no radial lines were found"));
+  SpiralTurns turns;
+  for (const double x : {0.0, 1.0, 2.0, 3.0})
+    turns.curve.push_back({{x, 0.0, 0.0}, x});
+  EXPECT_EQ(whyNotRadial(Status::success(), turns), Diagnostic());
 }
 
 } // namespace

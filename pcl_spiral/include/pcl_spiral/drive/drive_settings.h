@@ -8,11 +8,13 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/core/setting.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -67,6 +69,9 @@ struct DriveSettings {
   /** A curve with a fixed axis is used as it is. */
   bool needsSurface() const { return kind != DriveKind::Curve || axisMode() != DriveAxisMode::Fixed; }
 };
+
+/** All that have one value: without cutter, cylinder, curve and the direction as a vector. */
+std::vector<Setting> settingTable(DriveSettings& settings);
 
 /** Checks the settings; ok if nothing is wrong. */
 Status checkSettings(const DriveSettings& settings);

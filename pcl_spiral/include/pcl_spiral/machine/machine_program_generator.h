@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/machine/machine_program.h>
 
 #include <pcl/point_cloud.h>
@@ -12,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include <optional>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -38,6 +40,9 @@ struct ProgramSettings {
   double rapid_height = 50.0;        ///< rapids cross at this height above the highest tip, mm
   Eigen::AlignedBox3d clear_box;     ///< and above this box, of what stands beside the path; empty: there is none
 };
+
+/** All of one value, but for the feed and the ball radius, which come with the path. */
+std::vector<Setting> settingTable(ProgramSettings& settings);
 
 /** Poses of a ball cutter along \p path, as one pass. On a path of several passes the lifts would cut: see ballPasses. */
 ToolPoses ballPoses(const pcl::PointCloud<ToolpathPoint>& path, double ball_radius);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/graph/impl/triangulation.h>
 
 #include <pcl/PolygonMesh.h>
@@ -41,6 +42,9 @@ struct MeshSettings {
                               ///< faces that stand up by no more than noise, or no more than the error of the mesh itself
   bool flip = false;          ///< turn all faces to the other side
 };
+
+/** All but the ways to find normals and edges. */
+std::vector<Setting> settingTable(MeshSettings& settings);
 
 /** Something found in a mesh: how many times, and where first. */
 struct MeshFinding {

@@ -9,6 +9,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/cutter/impl/location_bisection.h>
 #include <pcl_spiral/cutter/tool_location.h>
@@ -25,6 +26,9 @@
 
 namespace pcl_spiral {
 
+/** Least tolerance between locations, mm: the single precision of a scan resolves no less. */
+constexpr double least_tolerance = 1e-4;
+
 /** The tool of passes, and how its locations are found; see CutterLocation. Lengths in mm, angles in degrees. */
 struct PassSettings {
   CutterShape cutter;              ///< radius 0: none, a beam
@@ -33,12 +37,15 @@ struct PassSettings {
   double ceiling = 0.0;            ///< above the drive point, from where the cutter comes; 0: the length of the tool
   double max_retilt = 0.0;         ///< 0: axes are not turned
   double retilt_step = 3.0;        ///< from one location to the next
-  double tolerance = 0.01;         ///< between locations
+  double tolerance = 0.01;         ///< between locations, least_tolerance or more
   double axis_smoothing = 0.0;     ///< along the path; 0: none
   double max_axis_rate = 0.0;      ///< degrees per mm; 0: no limit
   bool accept_collisions = false;  ///< of shank and holder: they are warnings
   unsigned int threads = 0;        ///< 0: all; the passes do not depend on it
 };
+
+/** All of them but cutter and holder. */
+std::vector<Setting> settingTable(PassSettings& settings);
 
 /** Locations left out because of what is not to be cut. Depths in mm. */
 struct LeftOutLocations {

@@ -6,9 +6,11 @@
 
 #include <pcl_spiral/common/drive_pass.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/ridge/ridge_surface.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -44,6 +46,9 @@ struct RidgeRowSettings {
   double run_in = 0.0;                       ///< straight extension before each row that is not closed
   double run_out = 0.0;                      ///< the same after the row
 };
+
+/** All of them but the tool radius, which setScallop sets beside the scallop height. */
+std::vector<Setting> settingTable(RidgeRowSettings& settings);
 
 /** Report of rows. Lengths in mm. */
 struct RidgeRowReport {

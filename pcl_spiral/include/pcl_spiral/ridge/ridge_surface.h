@@ -7,6 +7,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/impl/ridge_frame.h>
 #include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/ridge/impl/measured_line.h>
 #include <pcl_spiral/ridge/impl/smooth_line.h>
@@ -36,6 +37,9 @@ struct RidgeSettings {
   double measuring_error = 0.0;                         ///< standard deviation of a coordinate of the measured points; 0: found from them
   bool flip = false;                                    ///< the other side is up
 };
+
+/** All of them. */
+std::vector<Setting> settingTable(RidgeSettings& settings);
 
 /** What was found in the measured lines. Lengths in mm, angles in degrees. */
 struct RidgeReport {

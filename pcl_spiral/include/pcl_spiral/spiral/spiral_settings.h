@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -99,6 +100,15 @@ struct SpiralSettings : SurfaceSettings {
   TightHandling tight = TightHandling::Ride; ///< what to do with places that the ball does not reach
   LineMethod lines = LineMethod::Automatic;  ///< how radial lines are found
 };
+
+/** Those of the cutter, its axis and the finish. */
+std::vector<Setting> cutterTable(SpiralSettings& settings);
+
+/** Those of the turns. */
+std::vector<Setting> turnTable(SpiralSettings& settings);
+
+/** Both, and those of the surface. */
+std::vector<Setting> settingTable(SpiralSettings& settings);
 
 /** Allowed error of a turn between radial lines, mm: a fiftieth of the step-over on a plane. */
 double lineTolerance(const SpiralSettings& settings);

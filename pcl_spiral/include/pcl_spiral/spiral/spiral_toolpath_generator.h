@@ -101,18 +101,25 @@ private:
   using SpiralInput<PointInT, PointNT>::modifiers_;
   using SpiralInput<PointInT, PointNT>::progress_;
 
+  /** The turns of one method, and what is to be reported of them if they make the path. */
+  struct TurnAttempt {
+    SpiralTurns turns;
+    TurnPlan plan;
+    Diagnostics warnings;
+  };
+
   Status makeSurface(Surface::ConstPtr& surface);
   Status makeLoops(Surface::ConstPtr& surface, const Surroundings& around, std::vector<BoundaryLoop>& loops);
   Status makeLines(const Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, RadialLineSet& lines);
-  Status makeCurve(Surface::ConstPtr& surface, const Surroundings& around, StageClock& clock, SpiralTurns& turns,
+  Status makeCurve(Surface::ConstPtr& surface, const Surroundings& around, StageClock& clock, TurnAttempt& attempt,
                    std::unique_ptr<BallReach>& reach);
-  Status makeOfParts(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
-  Status makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
-  Status makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, SpiralTurns& turns);
-  Status makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines, StageClock& clock, SpiralTurns& turns);
+  Status makeOfParts(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, TurnAttempt& attempt);
+  Status makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, TurnAttempt& attempt);
+  Status makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, StageClock& clock, TurnAttempt& attempt);
+  Status makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines, StageClock& clock, TurnAttempt& attempt);
   /** \p alone: no other method is tried after it. */
   Status makeConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, bool alone, StageClock& clock,
-                             SpiralTurns& turns);
+                             TurnAttempt& attempt);
   Status makePublished(const Surface& surface, StageClock& clock, SpiralPath& path);
   Surroundings allAround(const Surface& surface);
   Status makePath(StageClock& clock, Surface::ConstPtr surface, const Surroundings& around, SpiralPath& path);

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/core/setting.h>
 
 #include <Eigen/Core>
 
 #include <optional>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -36,9 +38,12 @@ struct SurfaceSettings {
   unsigned int threads = 0;                           ///< 0: all; the surface does not depend on it
 };
 
+/** All of them but strict, which each class sets itself. */
+std::vector<Setting> settingTable(SurfaceSettings& settings);
+
 /** Name of the first setter that \p asked uses and \p made does not agree with; empty if there is none. A setting
  *  \p asked leaves at its default agrees with everything. strict and threads are not
  *  compared. */
-Diagnostic disagreement(const SurfaceSettings& asked, const SurfaceSettings& made);
+Diagnostic disagreement(SurfaceSettings asked, SurfaceSettings made);
 
 } // namespace pcl_spiral

@@ -9,6 +9,7 @@
 #include <pcl_spiral/surface/impl/side_text.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace pcl_spiral {
 namespace {
@@ -17,12 +18,6 @@ std::string
 place(const Eigen::Vector3d& p)
 {
   return formatted("%.3f, %.3f, %.3f mm", p.x(), p.y(), p.z());
-}
-
-std::string
-place(const std::optional<Eigen::Vector3d>& p, const char* otherwise)
-{
-  return p ? place(*p) : otherwise;
 }
 
 std::string
@@ -147,55 +142,37 @@ addSurface(HtmlPage& page, const RunFiles& files, const SpiralReport& r)
   page.addTable(rows, false);
 }
 
+/** The value with its unit, or what it stands for. */
+std::string
+shown(const Setting& setting)
+{
+  const std::string value = textOf(setting);
+  if (!setting.zero.empty() && (value.empty() || value == "0"))
+    return setting.zero;
+  return value.empty() ? "none" : setting.unit.empty() ? value : value + " " + setting.unit;
+}
+
 void
-addSettings(HtmlPage& page, const RunFiles& files, const SpiralSettings& s)
+addSettings(HtmlPage& page, const RunFiles& files, SpiralSettings settings)
 {
   page.addHeading("Settings");
   std::string outputs;
   for (const std::string& output : files.outputs)
     outputs += (outputs.empty() ? "" : ", ") + output;
-  page.addTable({{"Scan", files.scan},
-                 {"Unit of the scan", choiceName(files.unit)},
-                 {"Origin subtracted from the scan", files.origin.isZero() ? "none" : place(files.origin)},
-                 {"Shift of map coordinates", files.shift.isZero() ? "none"
-                                                                   : place(files.shift) + " subtracted; added again in .csv .ply .vtp and "
-                                                                                          "in this report, not in pictures, .pcd and "
-                                                                                          "files for machines"},
-                 {"Written", outputs},
-                 {"Ball cutter, radius R", formatted("%g mm", s.tool_radius)},
-                 {"Scallop height h", formatted("%g mm", s.scallop_height)},
-                 {"Chord error e", formatted("%g mm", s.chord_error)},
-                 {"Longest linear move allowed", formatted("%g mm", s.max_step > 0.0 ? s.max_step : s.tool_radius)},
-                 s.fixed_axis
-                     ? std::vector<std::string>{"Tool axis", "fixed, " + placeText(*s.fixed_axis)}
-                     : std::vector<std::string>{"Side tilt, lead of the axis", formatted("%g\u00b0, %g\u00b0", s.tilt_angle, s.lead_angle)},
-                 {"Largest turn of the axis", formatted("%g\u00b0 per mm", s.max_axis_rate)},
-                 {"Axis smoothed over",
-                  s.axis_smoothing > 0.0 ? formatted("%g mm, by up to %g\u00b0", s.axis_smoothing, s.axis_deviation) : "nothing"},
-                 {"Feed at the contact", formatted("%g mm/min", s.feed)},
-                 {"Centre", place(s.centre, "found")},
-                 {"The path meets the rim near", place(s.start_point, "found")},
-                 {"View point of the scanner", place(s.view_point, "none: the cutter comes from +z, or the convex side")},
-                 {"Cutter on the other side", s.flip_normals ? "yes" : "no"},
-                 {"Boundaries", choiceName(s.boundary_mode)},
-                 {"Direction, sense", choiceName(s.direction) + ", " + choiceName(s.sense) + (s.one_way ? ", one way" : "")},
-                 {"Method asked for", choiceName(s.method)},
-                 {"Acceleration", formatted("%g mm/s2", s.acceleration)},
-                 {"Warning for a turn radius below", formatted("%g step-overs", s.least_turn_radius)},
-                 {"Distance of turns measured", choiceName(s.pitch)},
-                 {"Lines", choiceName(s.lines)},
-                 {"Holes", choiceName(s.holes) + (s.hole_size > 0.0 ? formatted(", at least %g mm wide", s.hole_size) : "") +
-                               (s.hole_margin > 0.0 ? formatted(", %g mm away", s.hole_margin) : "")},
-                 {"Pass along the rim", s.rim_overhang == 0.0  ? std::string("on the rim")
-                                        : s.rim_overhang > 0.0 ? formatted("%g mm beyond the rim", s.rim_overhang)
-                                                               : formatted("%g mm inside the rim", -s.rim_overhang)},
-                 {"Gaps in the scan", choiceName(s.gaps)},
-                 {"Places that the ball does not reach", choiceName(s.tight)},
-                 {"Thinning", s.thinning > 0.0 ? formatted("%g mm", s.thinning) : "none"},
-                 {"Outlier filter", s.outlier_neighbours > 0
-                                        ? formatted("%d neighbours, %g standard deviations", s.outlier_neighbours, s.outlier_deviations)
-                                        : "none"}},
-                false);
+  HtmlRows rows{{"Scan", files.scan},
+                {"Unit of the scan", choiceName(files.unit)},
+                {"Origin subtracted from the scan", files.origin.isZero() ? "none" : place(files.origin)},
+                {"Shift of map coordinates", files.shift.isZero() ? "none"
+                                                                  : place(files.shift) + " subtracted; added again in .csv .ply .vtp and "
+                                                                                         "in this report, not in pictures, .pcd and "
+                                                                                         "files for machines"},
+                {"Written", outputs}};
+  for (const Setting& setting : settingTable(settings)) {
+    std::string words = setting.words;
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    rows.push_back({words, shown(setting)});
+  }
+  page.addTable(rows, false);
 }
 
 /** Empty if it is not known. */

@@ -2,6 +2,7 @@
 #include "diagnostic_json.h"
 #include "io/byte_file.h"
 #include "mesh_json.h"
+#include "settings_json.h"
 #include "side_json.h"
 #include "verification_json.h"
 
@@ -19,51 +20,6 @@ Json
 toJson(const Eigen::Vector3d& v)
 {
   return Json::array({v.x(), v.y(), v.z()});
-}
-
-Json
-toJson(const std::optional<Eigen::Vector3d>& v)
-{
-  return v ? toJson(*v) : Json();
-}
-
-Json
-settingsJson(const SpiralSettings& s)
-{
-  return {{"tool_radius", s.tool_radius},
-          {"scallop", s.scallop_height},
-          {"chord_error", s.chord_error},
-          {"max_step", s.max_step > 0.0 ? s.max_step : s.tool_radius},
-          {"tilt", s.tilt_angle},
-          {"lead", s.lead_angle},
-          {"axis", toJson(s.fixed_axis)},
-          {"max_axis_rate", s.max_axis_rate},
-          {"axis_smoothing", s.axis_smoothing},
-          {"axis_deviation", s.axis_deviation},
-          {"feed", s.feed},
-          {"acceleration", s.acceleration},
-          {"turn_radius", s.least_turn_radius},
-          {"rim_overhang", s.rim_overhang},
-          {"holes", choiceName(s.holes)},
-          {"hole_size", s.hole_size > 0.0 ? Json(s.hole_size) : Json()},
-          {"hole_margin", s.hole_margin},
-          {"center", toJson(s.centre)},
-          {"start", toJson(s.start_point)},
-          {"view_point", toJson(s.view_point)},
-          {"flip_normals", s.flip_normals},
-          {"boundaries", choiceName(s.boundary_mode)},
-          {"direction", choiceName(s.direction)},
-          {"sense", choiceName(s.sense)},
-          {"one_way", s.one_way},
-          {"method", choiceName(s.method)},
-          {"pitch", choiceName(s.pitch)},
-          {"lines", choiceName(s.lines)},
-          {"largest", s.largest_part},
-          {"gaps", choiceName(s.gaps)},
-          {"tight", choiceName(s.tight)},
-          {"thin", s.thinning},
-          {"outliers", s.outlier_neighbours > 0 ? Json::array({s.outlier_neighbours, s.outlier_deviations}) : Json()},
-          {"threads", s.threads}};
 }
 
 Json

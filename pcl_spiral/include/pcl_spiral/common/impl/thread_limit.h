@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/core/setting.h>
 
 #include <omp.h>
 
@@ -24,6 +25,15 @@ checkThreads(unsigned int threads)
     return Status::success();
   return {StatusCode::InvalidArgument,
           Diagnostic("the number of threads is ", threads, ": set 0 for all, or a count up to ", most_threads, " ({setNumberOfThreads})")};
+}
+
+/** A number of threads among the settings of a table. */
+inline Setting
+threadsSetting(unsigned int& threads)
+{
+  return Setting("threads", "setNumberOfThreads", "number of threads", "number of threads; the result does not depend on it", "4", threads)
+      .in("", NumberRange::from(0.0).upTo(most_threads))
+      .zeroFor("all");
 }
 
 /** The number of threads of a stage. Base of classes that have no other base with this setter. The base classes of PCL do not use

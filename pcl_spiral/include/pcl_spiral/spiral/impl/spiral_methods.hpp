@@ -42,10 +42,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLines(const Surface::
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::ConstPtr& surface, const RadialLineSet& lines,
-                                                                   StageClock& clock, SpiralTurns& turns)
+                                                                   StageClock& clock, TurnAttempt& attempt)
 {
-  report_.method = SpiralMethod::Radial;
-  reportLines(lines, settings_, report_);
+  attempt.plan.method = SpiralMethod::Radial;
+  reportLines(lines, settings_, attempt.plan, attempt.warnings);
   const double area = surface->area();
   if (given_lines_ || methodAsked(settings_) == SpiralMethod::Radial)
     dropTriangulation(surface); // the projection needs only neighbourhoods; makeShortest may need it
@@ -55,8 +55,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::Cons
   if (settings_.tight == TightHandling::Refuse)
     if (const Status status = checkLinesFit(lines.lines, *surface, settings_.tool_radius); !status.ok())
       return status;
-  const Status status = makeTurns(lines, surface->spacing(), area, settings_, turns);
-  reportTurns(turns, report_);
+  const Status status = makeTurns(lines, surface->spacing(), area, settings_, attempt.turns);
+  reportTurns(attempt.turns, attempt.plan, attempt.warnings);
   clock.end("spiral");
   return status;
 }
@@ -64,33 +64,34 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::Cons
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeRadial(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
-                                                                  StageClock& clock, SpiralTurns& turns)
+                                                                  StageClock& clock, TurnAttempt& attempt)
 {
-  if (settings_.hole_margin > 0.0 && report_.boundaries > 1)
+  if (settings_.hole_margin > 0.0 && attempt.plan.boundaries > 1)
     return {StatusCode::InvalidArgument, "turns of the radial method begin at the edge of the hole, but a margin about holes is asked "
                                          "for ({setHoleMargin}): choose constant scallop height ({setMethod}), or leave the margin out"};
   RadialLineSet lines;
   if (const Status status = makeLines(surface, loops, lines); !status.ok())
     return status;
-  return makeOnLines(surface, lines, clock, turns);
+  return makeOnLines(surface, lines, clock, attempt);
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(Surface::ConstPtr& surface,
                                                                            const std::vector<BoundaryLoop>& loops, bool alone,
-                                                                           StageClock& clock, SpiralTurns& turns)
+                                                                           StageClock& clock, TurnAttempt& attempt)
 {
-  report_.method = SpiralMethod::ConstantScallop;
+  attempt.plan.method = SpiralMethod::ConstantScallop;
   ScallopFigures figures;
   const auto dropMesh = [&surface, alone] {
     if (alone)
       dropTriangulation(surface); // the field has its own, and the projection needs only neighbourhoods
   };
-  const Status status = planConstantScallop(*surface, loops, settings_, partOf(progress_, 0.4, 0.65), dropMesh, clock, turns, figures);
-  report_.largest_allowed_step = turns.largest_allowed_step;
+  const Status status =
+      planConstantScallop(*surface, loops, settings_, partOf(progress_, 0.4, 0.65), dropMesh, clock, attempt.turns, figures);
+  attempt.plan.largest_allowed_step = attempt.turns.largest_allowed_step;
   if (status.ok())
-    reportScallop(figures, settings_, report_);
+    reportScallop(figures, settings_, attempt.plan, attempt.warnings);
   return status;
 }
 
@@ -98,15 +99,15 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(Surfa
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOfParts(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
-                                                                   StageClock& clock, SpiralTurns& turns)
+                                                                   StageClock& clock, TurnAttempt& attempt)
 {
-  report_.method = SpiralMethod::ConstantScallop;
+  attempt.plan.method = SpiralMethod::ConstantScallop;
   ScallopFigures figures;
-  const Status status = planGiven(given_parts_, *surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, turns, figures);
-  report_.largest_allowed_step = turns.largest_allowed_step;
-  report_.own_curve = given_parts_.ofUser();
+  const Status status = planGiven(given_parts_, *surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, attempt.turns, figures);
+  attempt.plan.largest_allowed_step = attempt.turns.largest_allowed_step;
+  attempt.plan.own_curve = given_parts_.ofUser();
   if (status.ok())
-    reportScallop(figures, settings_, report_);
+    reportScallop(figures, settings_, attempt.plan, attempt.warnings);
   clock.end("curve");
   return status;
 }
@@ -114,29 +115,34 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOfParts(Surface::Cons
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops,
-                                                                    StageClock& clock, SpiralTurns& turns)
+                                                                    StageClock& clock, TurnAttempt& attempt)
 {
   const MethodForesight foresight = foreseeMethods(*surface, loops, settings_);
   report_.foreseen_radial = foresight.radial_length;
   report_.foreseen_scallop = foresight.scallop_length;
   clock.end("choice of method");
+  const TurnAttempt first = attempt;
   if (foresight.method == SpiralMethod::Radial) {
-    const SpiralReport before = report_;
-    const Status radial = makeRadial(surface, loops, clock, turns);
-    if (!putBackRadial(radial, turns, before, report_))
+    const Status radial = makeRadial(surface, loops, clock, attempt);
+    const Diagnostic why_not = whyNotRadial(radial, attempt.turns);
+    if (why_not.empty())
       return radial;
-    const Status scallop = makeConstantScallop(surface, loops, true, clock, turns);
+    attempt = first;
+    attempt.warnings.push_back(Diagnostic(
+        "the path was made at constant scallop height, though the radial method was foreseen to take less time: with it, ", why_not));
+    const Status scallop = makeConstantScallop(surface, loops, true, clock, attempt);
     return scallop.code() == StatusCode::Failed && !radial.ok() ? neitherMethod(scallop, radial) : scallop;
   }
-  const Status scallop = makeConstantScallop(surface, loops, !foresight.why_not_radial.empty(), clock, turns);
+  const Status scallop = makeConstantScallop(surface, loops, !foresight.why_not_radial.empty(), clock, attempt);
   if (scallop.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
     return scallop;
-  report_.warnings.push_back(
+  attempt = first;
+  attempt.warnings.push_back(
       Diagnostic("the radial method made the path, though a shorter one was foreseen at constant scallop height: ", scallop.diagnostic()));
-  const Status radial = makeRadial(surface, loops, clock, turns);
+  const Status radial = makeRadial(surface, loops, clock, attempt);
   if (radial.code() == StatusCode::Failed)
     return neitherMethod(scallop, radial);
-  return radial.ok() && curveReversals(turns.curve).count > 0 ? scallop : radial;
+  return radial.ok() && curveReversals(attempt.turns.curve).count > 0 ? scallop : radial;
 }
 
 template <typename PointInT, typename PointNT, typename PointOutT>

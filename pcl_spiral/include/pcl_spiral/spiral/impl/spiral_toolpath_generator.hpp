@@ -78,7 +78,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
 template <typename PointInT, typename PointNT, typename PointOutT>
 Status
 SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstPtr& surface, const Surroundings& around, StageClock& clock,
-                                                                 SpiralTurns& turns, std::unique_ptr<BallReach>& reach)
+                                                                 TurnAttempt& attempt, std::unique_ptr<BallReach>& reach)
 {
   if (given_lines_ && settings_.method == SpiralMethod::ConstantScallop)
     return {StatusCode::InvalidArgument, "radial lines were given, but a path at constant scallop height has none: call "
@@ -90,28 +90,29 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
     reportNoise(*surface, settings_, report_);
     reach = makeReach(*surface, settings_, beyond_);
     const Status reached = checkReach(reach.get());
-    return reached.ok() ? makeOnLines(surface, *given_lines_, clock, turns) : reached;
+    return reached.ok() ? makeOnLines(surface, *given_lines_, clock, attempt) : reached;
   }
   std::vector<BoundaryLoop> loops;
   if (const Status status = makeLoops(surface, around, loops); !status.ok())
     return status;
+  attempt.plan.boundaries = report_.boundaries;
   clock.end("boundaries");
   reach = makeReach(*surface, settings_, beyond_);
   if (const Status status = checkReach(reach.get()); !status.ok())
     return status;
   clock.end("reach of the ball");
   if (!given_parts_.empty())
-    return makeOfParts(surface, loops, clock, turns);
+    return makeOfParts(surface, loops, clock, attempt);
   switch (methodAsked(settings_)) {
   case SpiralMethod::ConstantScallop: {
-    const Status status = makeConstantScallop(surface, loops, true, clock, turns);
+    const Status status = makeConstantScallop(surface, loops, true, clock, attempt);
     dropTriangulation(surface);
     return status;
   }
   case SpiralMethod::Radial:
-    return makeRadial(surface, loops, clock, turns);
+    return makeRadial(surface, loops, clock, attempt);
   default: {
-    const Status status = makeShortest(surface, loops, clock, turns);
+    const Status status = makeShortest(surface, loops, clock, attempt);
     dropTriangulation(surface);
     return status;
   }
@@ -198,9 +199,13 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
   GapFigures gaps;
   std::unique_ptr<BallReach> reach;
   {
-    SpiralTurns turns;
-    if (const Status status = makeCurve(surface, around, clock, turns, reach); !status.ok())
-      return status;
+    TurnAttempt attempt;
+    const Status made = makeCurve(surface, around, clock, attempt, reach);
+    static_cast<TurnPlan&>(report_) = attempt.plan;
+    report_.warnings.insert(report_.warnings.end(), attempt.warnings.begin(), attempt.warnings.end());
+    if (!made.ok())
+      return made;
+    const SpiralTurns& turns = attempt.turns;
     if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step, partOf(progress_, 0.65, 0.9), path,
                                            gaps, reach.get());
         !status.ok())

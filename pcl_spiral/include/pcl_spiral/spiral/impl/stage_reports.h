@@ -23,12 +23,12 @@ void reportNoise(const Surface& surface, const SpiralSettings& settings, SpiralR
 void reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, SpiralReport& report);
 
 /** Lines, with warnings for those that did not converge. */
-void reportLines(const RadialLineSet& lines, const SpiralSettings& settings, SpiralReport& report);
+void reportLines(const RadialLineSet& lines, const SpiralSettings& settings, TurnPlan& plan, Diagnostics& warnings);
 
 /** Figures of a path at constant scallop height, with a warning if it leaves more than requested. */
-void reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, SpiralReport& report);
+void reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, TurnPlan& plan, Diagnostics& warnings);
 
-void reportTurns(const SpiralTurns& turns, SpiralReport& report);
+void reportTurns(const SpiralTurns& turns, TurnPlan& plan, Diagnostics& warnings);
 
 /** Path points over gaps, with a warning if there are any. */
 void reportGaps(const GapFigures& gaps, SpiralReport& report);
@@ -38,9 +38,9 @@ void reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigur
 /** Closest turns as measured, or as planned if the path has too few turns. Efficiency, with a warning if it is low. */
 void reportSpacing(const PathFigures& path, SpiralReport& report);
 
-/** True if the radial method failed (\p status) or its path of \p turns turns back on itself. Then \p report is what it was \p before that
- *  path, except for the stages, with a warning. */
-bool putBackRadial(const Status& status, const SpiralTurns& turns, const SpiralReport& before, SpiralReport& report);
+/** Why the radial method made no path that can be cut: it failed (\p status), or its path of \p turns turns back on itself. Empty: it
+ *  did, or it failed for a reason that the other method does not mend. */
+Diagnostic whyNotRadial(const Status& status, const SpiralTurns& turns);
 
 /** The failure of both methods in one: each may name the other as its remedy, which was tried. */
 Status neitherMethod(const Status& scallop, const Status& radial);

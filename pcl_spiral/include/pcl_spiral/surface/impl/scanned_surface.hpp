@@ -35,23 +35,8 @@ ScannedSurface<PointT, PointNT>::check() const
   const std::size_t size = this->input_->size();
   if (const Status status = checkNormals(size); !status.ok())
     return status;
-  if (const Status status = checkThreads(settings_.threads); !status.ok())
-    return status;
-  if (settings_.outlier_neighbours < 0 || !(settings_.outlier_deviations > 0.0))
-    return {StatusCode::InvalidArgument,
-            Diagnostic("outlier removal by ", settings_.outlier_neighbours, " neighbours and ", settings_.outlier_deviations,
-                       " standard deviations: give 1 or more neighbours (0: none), and deviations above 0")};
-  if (!(settings_.thinning >= 0.0) || !std::isfinite(settings_.thinning))
-    return {StatusCode::InvalidArgument,
-            Diagnostic("the thinning edge is ", settings_.thinning, " {mm}: give a length above 0, or 0 for none")};
-  if (settings_.neighbours < 8)
-    return {StatusCode::InvalidArgument,
-            Diagnostic("k is ", settings_.neighbours, " neighbours: set 8 or more ({setKSearch}); 32 is recommended")};
-  if (!(settings_.alpha >= 1.0))
-    return {StatusCode::InvalidArgument,
-            Diagnostic("alpha is ", settings_.alpha, " spacings: below 1 the surface falls apart; 3 is usual")};
-  if (settings_.view_point && !settings_.view_point->allFinite())
-    return {StatusCode::InvalidArgument, "the view point is not finite: give the place where the scanner stood"};
+  if (const Diagnostic fault = rangeFault(settings_); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
   return checkIndices(givenIndices(), size);
 }
 
