@@ -76,7 +76,7 @@ ProgramPlanner::setInputPlan(const PassPlan& plan)
               cuts && plan.gouges_checked && (way.mesh || way.points),
               endsInBall(plan.tool.cutter) ? plan.tool.cutter.radius : 0.0,
               0.0,
-              Eigen::AlignedBox3d()};
+              plan.clearBox()};
 }
 
 ProgramSettings

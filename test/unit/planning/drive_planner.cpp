@@ -201,6 +201,34 @@ TEST(ProgramPlanner, AFeedThatIsNoneIsAFaultOfTheGenerator)
   EXPECT_GT(linksOf(program).height, 200.0);
 }
 
+TEST(ProgramPlanner, RapidsOfPassesCrossAboveWhatStandsBesideAChosenPart)
+{
+  const Cloud::Ptr scan = cap();
+  for (double x = 55.0; x <= 65.0; x += 1.0) // a post beside the cap
+    for (double y = -5.0; y <= 5.0; y += 1.0)
+      scan->emplace_back(static_cast<float>(x), static_cast<float>(y), 80.0f);
+  scan->emplace_back(0.0f, 90.0f, 500.0f); // a false echo
+  for (const bool crop : {false, true}) {
+    Driver planner;
+    planner.setInputCloud(scan);
+    setTool(planner);
+    if (crop)
+      planner.setCropBox(Eigen::AlignedBox3d(Vector3d(-50.0, -50.0, -50.0), Vector3d(50.0, 50.0, 50.0)));
+    else
+      planner.setLargestPart(true);
+    planner.compute();
+    ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    ProgramPlanner programs;
+    programs.setQuiet(true);
+    programs.setInputPlan(planner.getPlan());
+    programs.setMachine(xyzacTrunnion());
+    MachineProgram program;
+    programs.compute(program);
+    ASSERT_TRUE(programs.getStatus().ok()) << programs.getStatus().message();
+    EXPECT_NEAR(linksOf(program).height, 130.0, 0.5) << crop; // rapid_height above the post
+  }
+}
+
 TEST(DrivePlanner, ACutterThatIsNoneIsRefused)
 {
   Driver planner;

@@ -20,6 +20,8 @@
 #include <pcl_spiral/planning/part_choice.h>
 #include <pcl_spiral/surface/surface.h>
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -94,6 +96,10 @@ struct PassPlan {
   Surface::ConstPtr surface;  ///< of the part; null for a mesh, and for points that form none
   OuterSide side;             ///< what decided the side of the scan; of several regions that of the first
   SurfaceMesh::ConstPtr mesh; ///< the part if it is a mesh; null for a scan
+
+  /** The box of what stands in the scan, without false echoes, for ProgramSettings::clear_box: rapids cross above it. Empty if the whole
+   *  scan is the part, and for a mesh. */
+  Eigen::AlignedBox3d clearBox() const;
 
   /** Locations of all passes. */
   std::size_t poseCount() const

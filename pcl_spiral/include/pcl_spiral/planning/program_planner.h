@@ -46,8 +46,8 @@ public:
   void setMachine(const Machine& machine) { machine_ = machine; }
   const Machine& getMachine() const { return machine_; } ///< The value of setMachine.
   /** Leads, links, heights and tolerances. The ball radius is that of the plan, and for a spiral the feed, too; rapids cross above
-   *  clear_box and above the box of the plan (SpiralPlan::clearBox). Without points of what stands around no link stays near the
-   *  surface. */
+   *  clear_box and above the box of the plan (SpiralPlan::clearBox, PassPlan::clearBox). Without points of what stands around no link
+   *  stays near the surface. */
   void setSettings(const ProgramSettings& settings) { settings_ = settings; }
   const ProgramSettings& getSettings() const { return settings_; } ///< The value of setSettings.
   /** If false, leads are not looked at, as for moves of a plan whose program was checked; true by default. */
