@@ -130,6 +130,9 @@ fault "planning steered by exceptions; a try gives a refusal" \
   "$(grep -rnE '\b(try|catch)\b *[({]' $library/src/planning $library/include/pcl_spiral/planning $library/tools --include='*.cpp' --include='*.h' --include='*.hpp' |
      grep -E "^$library/(src|include)/|/planning\.cpp:" || true)"
 
+fault "constants changed by a cast; give those who need another value a copy that shares the rest" \
+  "$(grep -rn 'const_cast' $library --include='*.cpp' --include='*.h' --include='*.hpp' || true)"
+
 flags='-march=native|-mavx|-ffast-math|-Ofast|PCL_NO_PRECOMPILE'
 fault "flags that break PCL's ABI, the same bytes everywhere, or the compile time" \
   "$(find . -name 'build*' -prune -o -path ./.git -prune -o -type f \

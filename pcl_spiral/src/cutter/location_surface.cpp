@@ -52,7 +52,7 @@ LocationSurface::measure()
   findRim();
   findCoveringRadii();
   findEdge();
-  dropTriangulation(surface_);
+  surface_ = Surface::withoutTriangulation(surface_);
 }
 
 void

@@ -171,7 +171,7 @@ median(std::vector<float> values)
 double
 SurfaceGraph::spacing(std::size_t i) const
 {
-  return evenSpacing(radii_[i], neighbours_);
+  return evenSpacing(points_->radii[i], points_->neighbours);
 }
 
 Status
@@ -186,36 +186,49 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
   if (blocks.size() < fewest_points)
     return {StatusCode::InvalidInput, Diagnostic("the {cloud} has ", blocks.size(), " usable points; a surface needs at least ",
                                                  fewest_points, ": {scan more densely} or thin less")};
-  blocks_ = std::move(blocks);
-  neighbours_ = enoughNeighbours(blocks_, options);
+  *this = SurfaceGraph(); // frees what it was made of before
+  const auto made = std::make_shared<Points>();
+  Points& p = *made;
+  p.blocks = std::move(blocks);
+  p.neighbours = enoughNeighbours(p.blocks, options);
   PointShapes shapes;
-  shapes.neighbours = neighbours_;
-  StarSet stars = visitAll(blocks_, options.max_circumradius, shapes);
+  shapes.neighbours = p.neighbours;
+  StarSet stars = visitAll(p.blocks, options.max_circumradius, shapes);
   const double usual_radius = median(shapes.radii);
-  stray_points_ = pcl_spiral::strayPoints(blocks_, stars, shapes, far_off * usual_radius);
-  doubtful_points_ = pcl_spiral::doubtfulPoints(stars, shapes);
-  normals_ = std::move(shapes.normals);
-  radii_ = std::move(shapes.radii);
+  p.stray = pcl_spiral::strayPoints(p.blocks, stars, shapes, far_off * usual_radius);
+  p.doubtful = pcl_spiral::doubtfulPoints(stars, shapes);
+  p.normals = std::move(shapes.normals);
+  p.radii = std::move(shapes.radii);
   std::vector<float>().swap(shapes.heights);
-  spacing_ = evenSpacing(usual_radius, neighbours_);
-  if (!(spacing_ > 0.0))
+  p.spacing = evenSpacing(usual_radius, p.neighbours);
+  if (!(p.spacing > 0.0))
     return {StatusCode::InvalidInput, "most points of the {cloud} coincide: remove duplicates or check the units"};
 
-  std::vector<std::uint8_t> flipped = consistentSigns(normals_, stars);
-  side_ = chooseOuterSide(blocks_, normals_, radii_, far_off * usual_radius, options, flipped);
+  std::vector<std::uint8_t> flipped = consistentSigns(p.normals, stars);
+  p.side = chooseOuterSide(p.blocks, p.normals, p.radii, far_off * usual_radius, options, flipped);
   const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
-  const Eigen::Vector4d sum = sumOverPoints(size(), zero, [&](std::uint32_t i, Eigen::Vector4d& part) {
+  const Eigen::Vector4d sum = sumOverPoints(p.blocks.size(), zero, [&](std::uint32_t i, Eigen::Vector4d& part) {
     if (flipped[i]) {
-      normals_[i] = -normals_[i];
+      p.normals[i] = -p.normals[i];
       stars.reverse(i);
     }
-    const double area = radii_[i] > far_off * usual_radius ? 0.0 : static_cast<double>(radii_[i]) * radii_[i];
-    part += area * normals_[i].cast<double>().homogeneous();
+    const double area = p.radii[i] > far_off * usual_radius ? 0.0 : static_cast<double>(p.radii[i]) * p.radii[i];
+    part += area * p.normals[i].cast<double>().homogeneous();
   });
-  mean_normal_ = sum.head<3>() / sum.w();
-  triangulation_ = triangulate(blocks_.points(), std::move(stars), pinhole_edges);
-  removeUnseenSteps({blocks_, normals_, radii_, static_cast<float>(evenSpacing(1.0, neighbours_))}, triangulation_);
+  p.mean_normal = sum.head<3>() / sum.w();
+  const auto triangles = std::make_shared<Triangulation>(triangulate(p.blocks.points(), std::move(stars), pinhole_edges));
+  removeUnseenSteps({p.blocks, p.normals, p.radii, static_cast<float>(evenSpacing(1.0, p.neighbours))}, *triangles);
+  points_ = made;
+  triangulation_ = triangles;
   return Status::success();
+}
+
+SurfaceGraph
+SurfaceGraph::withoutTriangulation() const
+{
+  SurfaceGraph graph;
+  graph.points_ = points_;
+  return graph;
 }
 
 double

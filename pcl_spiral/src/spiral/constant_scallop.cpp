@@ -192,23 +192,23 @@ linkOnField(const StepOverDistance* field, std::vector<ScallopLoop> loops, const
 }
 
 Status
-planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
-                    const ProgressCallback& progress, const std::function<void()>& field_made, StageClock& clock, SpiralTurns& turns,
-                    ScallopFigures& figures)
+planConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
+                    const ProgressCallback& progress, bool drop, StageClock& clock, SpiralTurns& turns, ScallopFigures& figures)
 {
   turns = SpiralTurns();
   figures = ScallopFigures();
   StepOverDistance field;
-  if (const Status status = makeStepOverField(surface, loops, settings, partOf(progress, 0.0, 0.3), field); !status.ok())
+  if (const Status status = makeStepOverField(*surface, loops, settings, partOf(progress, 0.0, 0.3), field); !status.ok())
     return status;
-  if (const Status status = checkPathSize(scallopPathSize(field, surface, settings), surface.area(), settings); !status.ok())
+  if (const Status status = checkPathSize(scallopPathSize(field, *surface, settings), surface->area(), settings); !status.ok())
     return status;
-  field_made();
+  if (drop)
+    surface = Surface::withoutTriangulation(surface);
   clock.end("step-over field");
   LinkedPath path;
   if (const Status status = linkOnField(&field, {}, settings, partOf(progress, 0.3, 1.0), clock, path, figures); !status.ok())
     return status;
-  return samplePath(path, surface, settings, turns.curve, turns.largest_allowed_step);
+  return samplePath(path, *surface, settings, turns.curve, turns.largest_allowed_step);
 }
 
 } // namespace pcl_spiral

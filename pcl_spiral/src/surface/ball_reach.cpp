@@ -64,8 +64,10 @@ BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double ra
 {
   if (obstacles.points.empty() && beyond.empty() && spheresAreEmpty(graph, radius_, own_, 0.5 * tolerance_)) {
     missed_ = missedPoints(graph, fit);
-    if (missed_.count == 0)
-      return; // else an edge that the points do not show well: the fit decides
+    if (missed_.count == 0) {
+      dropTriangulation();
+      return;
+    } // else an edge that the points do not show well: the fit decides
   }
   std::call_once(are_fitted_, [&] {
     std::vector<float> heights;
@@ -84,6 +86,21 @@ BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double ra
     coverVoids();
     averageNormals();
   }
+  dropTriangulation();
+}
+
+void
+BallReach::dropTriangulation()
+{
+  fit_ = fit_->withoutTriangulation();
+  graph_ = fit_->graph();
+}
+
+void
+BallReach::dropSurface()
+{
+  graph_ = SurfaceGraph();
+  fit_.reset();
 }
 
 const BallReach::Patches&
@@ -122,7 +139,7 @@ BallReach::coverVoids()
   if (queries.empty())
     return;
   std::vector<SurfaceFoot> feet;
-  fit_.project(queries, feet, widest_search);
+  fit_->project(queries, feet, widest_search);
   const Patches& before = patches_;
   std::vector<Eigen::Vector3f> positions(before.feet.size());
   std::vector<Patch> fitted(before.feet.size());
@@ -190,7 +207,7 @@ BallReach::fitPatches(const std::vector<SurfacePatch>& beyond, std::vector<float
     queries.clear();
     for (std::size_t i = begin; i < std::min(size, begin + report_chunk); ++i)
       queries.push_back(graph_.position(i));
-    fit_.project(queries, feet);
+    fit_->project(queries, feet);
     for (std::size_t k = 0; k < feet.size(); ++k) {
       const std::size_t i = begin + k;
       const SurfaceFoot& foot = feet[k];

@@ -83,6 +83,14 @@ MlsSurface::MlsSurface(const SurfaceGraph& graph, int neighbours, ProjectionMeth
   chooseNeighbours();
 }
 
+MlsSurface
+MlsSurface::withoutTriangulation() const
+{
+  MlsSurface same = *this;
+  same.graph_ = graph_.withoutTriangulation();
+  return same;
+}
+
 std::vector<std::uint8_t>
 MlsSurface::projectOnce(const std::vector<std::uint32_t>& which, std::vector<SurfaceFoot>& feet, int neighbours) const
 {

@@ -31,7 +31,20 @@ heightsOf(const Surface& surface)
 
 } // namespace
 
-Surface::Surface(Parts parts) : parts_(std::move(parts)), fit_(parts_.graph), voids_(parts_.graph) {}
+Surface::Surface(Parts parts) : graph_(std::move(parts.graph)), fit_(graph_), voids_(std::make_shared<const ScanVoids>(graph_))
+{
+  parts.graph = SurfaceGraph();
+  parts_ = std::make_shared<const Parts>(std::move(parts));
+}
+
+Surface::ConstPtr
+Surface::withoutTriangulation(const ConstPtr& surface)
+{
+  const auto bare = std::make_shared<Surface>(*surface);
+  bare->fit_ = surface->fit_.withoutTriangulation();
+  bare->graph_ = bare->fit_.graph();
+  return bare;
+}
 
 Status
 checkSingleSheet(const Surface& surface)
@@ -51,13 +64,6 @@ Surface::riddenPoints() const
     for (const StandingCluster& cluster : clusters())
       points.insert(points.end(), cluster.positions.begin(), cluster.positions.end());
   return points;
-}
-
-void
-dropTriangulation(const Surface::ConstPtr& surface)
-{
-  if (surface.use_count() == 1) // made by makeSurface, never as a constant
-    const_cast<Surface&>(*surface).parts_.graph.dropTriangulation();
 }
 
 } // namespace pcl_spiral

@@ -85,63 +85,64 @@ public:
     Diagnostic kept_part;                  ///< see keptPart()
     Diagnostics warnings;                  ///< see warnings()
   };
-  explicit Surface(Parts parts);    ///< Takes the parts and fits the surface to them.
-  Surface(const Surface&) = delete; // the fit refers to the graph
-  Surface& operator=(const Surface&) = delete;
+  explicit Surface(Parts parts); ///< Takes the parts and fits the surface to them.
+
+  /** The same surface without triangles, which are the larger half of its memory: for stages that need only neighbourhoods. It shares all
+   *  else, and the triangles are freed with the last surface that has them. */
+  static ConstPtr withoutTriangulation(const ConstPtr& surface);
 
   /** Order, normals, spacing and triangles. This function and those below use the order of points in the graph. */
-  const SurfaceGraph& graph() const { return parts_.graph; }
+  const SurfaceGraph& graph() const { return graph_; }
   /** The moving-least-squares surface. The noise sets the width of its fits. */
   const MlsSurface& fit() const { return fit_; }
 
   /** Places without points that triangles cover: holes and gaps too narrow to be loops. */
-  const ScanVoids& voids() const { return voids_; }
+  const ScanVoids& voids() const { return *voids_; }
 
-  std::size_t size() const { return parts_.graph.size(); }                           ///< Number of points.
-  Eigen::Vector3d position(std::size_t i) const { return parts_.graph.position(i); } ///< Point \p i, mm.
+  std::size_t size() const { return graph_.size(); }                           ///< Number of points.
+  Eigen::Vector3d position(std::size_t i) const { return graph_.position(i); } ///< Point \p i, mm.
   /** Unit normal, out of the material. */
-  Eigen::Vector3d normal(std::size_t i) const { return parts_.graph.normal(i); }
+  Eigen::Vector3d normal(std::size_t i) const { return graph_.normal(i); }
   /** Median distance between neighbouring points, as if they were spread evenly. */
-  double spacing() const { return parts_.graph.spacing(); }
+  double spacing() const { return graph_.spacing(); }
   /** Area, mm2: the sum of each point's share, also of those put into gaps. */
-  double area() const { return surfaceArea(parts_.graph); }
+  double area() const { return surfaceArea(graph_); }
   /** Standard deviation of the points about the fit. */
   double noise() const { return fit_.noise(); }
 
   /** Index of point \p i in the cloud; no_source for a point put into a gap. */
-  std::uint32_t sourceIndex(std::size_t i) const { return sourceOfOriginal(parts_.graph.blocks().originalIndex(i)); }
+  std::uint32_t sourceIndex(std::size_t i) const { return sourceOfOriginal(graph_.blocks().originalIndex(i)); }
   /** True if point \p i was put into a gap: the surface around it is guessed. */
   bool isGuessed(std::size_t i) const { return sourceIndex(i) == no_source; }
   /** Cloud index of point \p i, counted in the order of the points that the graph was built from (BoundaryLoop::indices of
    *  findBoundaryLoops). */
-  std::uint32_t sourceOfOriginal(std::size_t i) const { return parts_.source.empty() ? static_cast<std::uint32_t>(i) : parts_.source[i]; }
+  std::uint32_t sourceOfOriginal(std::size_t i) const { return parts_->source.empty() ? static_cast<std::uint32_t>(i) : parts_->source[i]; }
   /** Number of points in the cloud, used or not. */
-  std::size_t inputSize() const { return parts_.input_size; }
+  std::size_t inputSize() const { return parts_->input_size; }
 
-  const SurfaceSettings& settings() const { return parts_.settings; } ///< The settings it was made with.
-  const SurfaceCounts& counts() const { return parts_.counts; }       ///< What happened to the points of the cloud.
-  const LeftOutPoints& leftOut() const { return parts_.left_out; }    ///< The points left out, and why.
+  const SurfaceSettings& settings() const { return parts_->settings; } ///< The settings it was made with.
+  const SurfaceCounts& counts() const { return parts_->counts; }       ///< What happened to the points of the cloud.
+  const LeftOutPoints& leftOut() const { return parts_->left_out; }    ///< The points left out, and why.
   /** True if normals, a view point or +z gave the outer side. If false, the convex side was taken. */
-  bool sideIsClear() const { return parts_.side.vote != SideVote::Convex; }
+  bool sideIsClear() const { return parts_->side.vote != SideVote::Convex; }
   /** What decided the outer side, and how clearly. */
-  const OuterSide& side() const { return parts_.side; }
+  const OuterSide& side() const { return parts_->side; }
   /** Clusters of points that stand on it, the highest first. */
-  const std::vector<StandingCluster>& clusters() const { return parts_.clusters; }
+  const std::vector<StandingCluster>& clusters() const { return parts_->clusters; }
   /** Points of the clusters that a ball must clear: all with ClusterHandling::Ride, else none. */
   std::vector<Eigen::Vector3f> riddenPoints() const;
   /** Single points off the surface that were left out, in no cluster: false echoes, or the edge of a step too low for the scan. */
-  const std::vector<Eigen::Vector3f>& isolatedPoints() const { return parts_.isolated; }
+  const std::vector<Eigen::Vector3f>& isolatedPoints() const { return parts_->isolated; }
   /** Which of several parts was kept, and where the others are; empty if there is one. */
-  const Diagnostic& keptPart() const { return parts_.kept_part; }
+  const Diagnostic& keptPart() const { return parts_->kept_part; }
   /** Which points were left out, with keptPart(), and whether the side is guessed. */
-  const Diagnostics& warnings() const { return parts_.warnings; }
+  const Diagnostics& warnings() const { return parts_->warnings; }
 
 private:
-  friend void dropTriangulation(const ConstPtr& surface);
-
-  Parts parts_;
+  SurfaceGraph graph_;
+  std::shared_ptr<const Parts> parts_; ///< their graph is empty
   MlsSurface fit_;
-  ScanVoids voids_;
+  std::shared_ptr<const ScanVoids> voids_;
 };
 
 /** The points that a surface is made from. */
@@ -165,9 +166,5 @@ Status addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& 
 
 /** Ok, or an error with the place if the noise is above 0.35 spacings: the surface is then no single sheet. */
 Status checkSingleSheet(const Surface& surface);
-
-/** Free the triangulation, the larger half of the memory of a surface, if \p surface is the only reference to it. Use this
- *  if you need only neighbourhoods from now on. It does nothing to a shared surface. */
-void dropTriangulation(const Surface::ConstPtr& surface);
 
 } // namespace pcl_spiral

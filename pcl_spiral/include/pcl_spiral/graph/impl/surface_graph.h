@@ -9,6 +9,7 @@
 #include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
+#include <memory>
 #include <optional>
 
 namespace pcl_spiral {
@@ -25,8 +26,8 @@ struct SurfaceGraphOptions {
 
 /** A cloud in spatial order with oriented PCA normals, local spacing and a triangulation of local Delaunay stars.
  *
- *  Every stage of a spiral works on one such graph, made once and shared. Points are finite and all different.
- *  Normals point out of the material, to the side of the cutter.
+ *  Every stage of a spiral works on one such graph, made once and shared: a copy refers to the same data, which never change. Points are
+ *  finite and all different. Normals point out of the material, to the side of the cutter.
  */
 class SurfaceGraph {
 public:
@@ -39,40 +40,44 @@ public:
   /** The same for points already in spatial order. */
   Status build(PointBlocks blocks, const SurfaceGraphOptions& options);
 
-  std::size_t size() const { return blocks_.size(); }
-  const PointBlocks& blocks() const { return blocks_; }
-  Eigen::Vector3d position(std::size_t i) const { return blocks_.position(i); }
-  Eigen::Vector3d normal(std::size_t i) const { return normals_[i].cast<double>(); }
-  const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
+  std::size_t size() const { return points_->blocks.size(); }
+  const PointBlocks& blocks() const { return points_->blocks; }
+  Eigen::Vector3d position(std::size_t i) const { return points_->blocks.position(i); }
+  Eigen::Vector3d normal(std::size_t i) const { return points_->normals[i].cast<double>(); }
+  const std::vector<Eigen::Vector3f>& normals() const { return points_->normals; }
   /** Distance to the k-th neighbour. */
-  float radius(std::size_t i) const { return radii_[i]; }
-  int neighbours() const { return neighbours_; }
+  float radius(std::size_t i) const { return points_->radii[i]; }
+  int neighbours() const { return points_->neighbours; }
   /** Median distance between neighbouring points, mm, as if they were spread evenly. */
-  double spacing() const { return spacing_; }
+  double spacing() const { return points_->spacing; }
   /** The same about point \p i. */
   double spacing(std::size_t i) const;
   /** Isolated points off the surface, as indices of the points given to build: outliers to leave out. Ascending. */
-  const std::vector<std::uint32_t>& strayPoints() const { return stray_points_; }
+  const std::vector<std::uint32_t>& strayPoints() const { return points_->stray; }
   /** Points, in the graph's order, that may be spikes or lie where the surface bends. spikeOutliers() checks them. */
-  const std::vector<std::uint32_t>& doubtfulPoints() const { return doubtful_points_; }
-  const Triangulation& triangulation() const { return triangulation_; }
-  /** Free the triangles, the larger half of the graph's memory, if only neighbourhoods are needed from now on. */
-  void dropTriangulation() { triangulation_ = Triangulation(); }
+  const std::vector<std::uint32_t>& doubtfulPoints() const { return points_->doubtful; }
+  const Triangulation& triangulation() const { return *triangulation_; }
+  /** The same points without the triangles, which are the larger half of the memory: for stages that need only neighbourhoods. */
+  SurfaceGraph withoutTriangulation() const;
   /** Mean of the normals by area: the side that the part shows as a whole; zero on a closed surface. */
-  Eigen::Vector3d meanNormal() const { return mean_normal_; }
+  Eigen::Vector3d meanNormal() const { return points_->mean_normal; }
   /** How the outer side was found. */
-  const OuterSide& side() const { return side_; }
+  const OuterSide& side() const { return points_->side; }
 
 private:
-  PointBlocks blocks_;
-  std::vector<Eigen::Vector3f> normals_;
-  std::vector<float> radii_;
-  std::vector<std::uint32_t> stray_points_, doubtful_points_;
-  Triangulation triangulation_;
-  Eigen::Vector3d mean_normal_ = Eigen::Vector3d::Zero();
-  double spacing_ = 0.0;
-  int neighbours_ = 0;
-  OuterSide side_;
+  struct Points {
+    PointBlocks blocks;
+    std::vector<Eigen::Vector3f> normals;
+    std::vector<float> radii;
+    std::vector<std::uint32_t> stray, doubtful;
+    Eigen::Vector3d mean_normal = Eigen::Vector3d::Zero();
+    double spacing = 0.0;
+    int neighbours = 0;
+    OuterSide side;
+  };
+
+  std::shared_ptr<const Points> points_ = std::make_shared<const Points>();
+  std::shared_ptr<const Triangulation> triangulation_ = std::make_shared<const Triangulation>();
 };
 
 /** Area of the surface, mm2: the sum of each point's share. */

@@ -16,7 +16,6 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,10 +45,9 @@ Status linkOnField(const StepOverDistance* field, std::vector<ScallopLoop> loops
 
 /** The curve of a path over \p surface between the rim and holes among \p loops, each of type Outer or Inner: distances from them
  *  in step-overs (makeStepOverField), loops that cover everything (makeScallopLoops), one path over these (makeScallopPath), its
- *  points (samplePath). Settings used: tool radius, scallop height, chord error, longest step, direction, sense. \p field_made is called
- *  when the triangulation of the surface is no longer needed. */
-Status planConstantScallop(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
-                           const ProgressCallback& progress, const std::function<void()>& field_made, StageClock& clock, SpiralTurns& turns,
-                           ScallopFigures& figures);
+ *  points (samplePath). Settings used: tool radius, scallop height, chord error, longest step, direction, sense. \p drop: the
+ *  triangles of \p surface, which the field has its own of, are given up. */
+Status planConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
+                           const ProgressCallback& progress, bool drop, StageClock& clock, SpiralTurns& turns, ScallopFigures& figures);
 
 } // namespace pcl_spiral

@@ -106,14 +106,14 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
   switch (methodAsked(settings_)) {
   case SpiralMethod::ConstantScallop: {
     const Status status = makeConstantScallop(surface, loops, true, clock, attempt);
-    dropTriangulation(surface);
+    surface = Surface::withoutTriangulation(surface);
     return status;
   }
   case SpiralMethod::Radial:
     return makeRadial(surface, loops, clock, attempt);
   default: {
     const Status status = makeShortest(surface, loops, clock, attempt);
-    dropTriangulation(surface);
+    surface = Surface::withoutTriangulation(surface);
     return status;
   }
   }
@@ -213,7 +213,9 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
   }
   const std::vector<Eigen::Vector3f> ridden = surface->riddenPoints();
   if (modifiers_.empty())
-    surface.reset(); // the reach is asked for no patch from here on
+    surface.reset();
+  if (reach)
+    reach->dropSurface(); // it is asked for no patch from here on
   clock.end("projection");
   const Status cancelled(StatusCode::Cancelled, "cancelled");
   if (progress_ && !progress_(0.9, "tool axis"))

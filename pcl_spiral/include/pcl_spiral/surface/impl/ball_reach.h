@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace pcl_spiral {
@@ -41,15 +42,18 @@ struct BallObstacles {
  *  continues beyond the graph, its patches hold the ball as those of the graph do.
  *
  *  Where it is clear from the points alone that the ball reaches all of them, patches are fitted only when one is asked for: ask
- *  once before a parallel loop does, and while the graph is there. Every point
- *  is looked at once: near-linear, in parallel, the same for any number of threads. Memory: about 70 bytes per point, and per patch in a
- *  void between points, where the ball does not reach all of them. */
+ *  once before a parallel loop does, and before dropSurface. Every point is looked at once: near-linear, in parallel, the same for any
+ *  number of threads. Memory: about 70 bytes per point, and per patch in a void between points, where the ball does not reach all of
+ *  them. */
 class BallReach {
 public:
-  /** \p graph and \p fit must outlive it. \p tolerance, mm: depth that counts as noise of the surface. \p beyond: the surface beside that
-   *  of the graph, see surfaceBeyond. */
+  /** Shares the points of \p graph and \p fit. \p tolerance, mm: depth that counts as noise of the surface. \p beyond: the surface
+   *  beside that of the graph, see surfaceBeyond. */
   BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles = {},
             const std::vector<SurfacePatch>& beyond = {});
+
+  /** Gives up the points of the surface: from now on no patch is fitted any more. */
+  void dropSurface();
 
   double radius() const { return radius_; }       ///< Of the ball, mm.
   double tolerance() const { return tolerance_; } ///< As given, mm.
@@ -112,6 +116,8 @@ private:
     void keep(PointBlocks places, const std::vector<Patch>& fitted, std::size_t points);
   };
 
+  /** The triangles are of no use any more. */
+  void dropTriangulation();
   const Patches& patches() const;
   Patches fitPatches(const std::vector<SurfacePatch>& beyond, std::vector<float>& heights) const;
   static Patch patchOf(const SurfaceFoot& foot, double extent);
@@ -136,8 +142,8 @@ private:
   Eigen::Vector3d slid(Eigen::Vector3d centre, const Eigen::Vector3d& target) const;
   bool isOutside(const Eigen::Vector3d& centre) const;
 
-  const SurfaceGraph& graph_;
-  const MlsSurface& fit_;
+  SurfaceGraph graph_; ///< without triangles once it is made
+  std::optional<MlsSurface> fit_;
   std::size_t size_;
   double radius_, tolerance_;
   double own_, own_tolerance_; // mm: radius about a foot, and the depth that counts as noise there

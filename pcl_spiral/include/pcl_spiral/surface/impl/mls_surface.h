@@ -15,7 +15,7 @@
 
 namespace pcl_spiral {
 
-/** Projects points onto the surface of a graph. Cheap to construct; the graph must outlive it. */
+/** Projects points onto the surface of a graph, whose data it shares. Cheap to construct and to copy. */
 class MlsSurface {
 public:
   /** \p neighbours in one fit; 0: as many as the noise needs and the curvature allows, and enough to span several scan
@@ -28,6 +28,9 @@ public:
    *  queries that are known to lie within the rim. Beyond the rim a wide fit may reach outliers. */
   void project(const std::vector<Eigen::Vector3d>& queries, std::vector<SurfaceFoot>& feet, int widest = 1) const;
   SurfaceFoot project(const Eigen::Vector3d& query) const;
+
+  /** The same fit, whose graph has no triangles. */
+  MlsSurface withoutTriangulation() const;
 
   int neighbours() const { return neighbours_; }
   /** Standard deviation of the points about the surface, mm (for a cloud without noise: the residual of the fit). */
@@ -45,7 +48,7 @@ private:
    *  need another fit. */
   std::vector<std::uint8_t> projectOnce(const std::vector<std::uint32_t>& which, std::vector<SurfaceFoot>& feet, int neighbours) const;
 
-  const SurfaceGraph& graph_;
+  SurfaceGraph graph_;
   ProjectionMethod method_;
   int neighbours_;
   double noise_ = 0.0;
