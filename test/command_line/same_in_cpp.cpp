@@ -10,6 +10,7 @@
 #include <pcl_spiral/planning/drive_planner.h>
 #include <pcl_spiral/planning/path_verifier.h>
 #include <pcl_spiral/planning/program_planner.h>
+#include <pcl_spiral/planning/ridge_planner.h>
 #include <pcl_spiral/planning/spiral_planner.h>
 #include <pcl_spiral/ridge/ridge_toolpath.h>
 
@@ -77,9 +78,31 @@ protected:
     EXPECT_GT(path.size(), 1000U);
   }
 
+  /** Lines measured on a die, and a scan of it. */
+  void writeDie()
+  {
+    const pcl_spiral::test::ExactRidge die = pcl_spiral::test::dieRidge();
+    const auto write = [&](const char* file, const std::vector<Vector3d>& points) {
+      std::ostringstream text;
+      text.precision(9);
+      for (const Vector3d& p : points)
+        text << p.transpose() << '\n';
+      writeText(folder_.path(file), text.str());
+    };
+    write("rail.txt", die.railPoints(300));
+    write("generator.txt", die.generatorPoints(0.37, 100));
+    std::vector<Vector3d> points;
+    for (int i = 0; i <= 700; ++i)
+      for (int k = 0; k <= 30; ++k)
+        points.push_back(die.position(i / 700.0, k / 30.0));
+    write("die.xyz", points);
+    through_ = {die.position(0.05, 0.5), die.position(0.35, 0.5), die.position(0.65, 0.5), die.position(0.95, 0.5)};
+  }
+
   Prism polygon(const std::string& file) const { return readPolygon(folder_.path(file)); }
 
   ScratchFolder folder_;
+  std::vector<Vector3d> through_; ///< rough points of the ridge of the die
 };
 
 } // namespace
@@ -296,15 +319,7 @@ TEST_F(SameInCpp, TheVerdictOnAPathThroughAKeepOut)
 
 TEST_F(SameInCpp, ABeamOnARidge)
 {
-  const pcl_spiral::test::ExactRidge die = pcl_spiral::test::dieRidge();
-  const auto write = [&](const char* file, const std::vector<Vector3d>& points) {
-    std::ostringstream text;
-    for (const Vector3d& p : points)
-      text << p.transpose() << '\n';
-    writeText(folder_.path(file), text.str());
-  };
-  write("rail.txt", die.railPoints(300));
-  write("generator.txt", die.generatorPoints(0.37, 100));
+  writeDie();
   const RunResult result = run(PCL_SPIRAL_RIDGE_PROGRAM, {"rail.txt", "generator.txt", "-o", "program.6d", "--spot", "4", "--overlap",
                                                           "0.25", "--stand-off", "150", "--origin", "0,0,0"});
   ASSERT_EQ(result.code, 0) << result.err;
@@ -318,6 +333,64 @@ TEST_F(SameInCpp, ABeamOnARidge)
   ASSERT_TRUE(ridge.getStatus().ok()) << ridge.getStatus().message();
   writePoseVectors(folder_.path("cpp.6d"), beamPasses(rows, ridge.getStandOff()));
   EXPECT_EQ(readText(folder_.path("cpp.6d")), readText(folder_.path("program.6d")));
+}
+
+TEST_F(SameInCpp, ACutterOnARidge)
+{
+  writeDie();
+  std::ostringstream through;
+  for (const Vector3d& p : through_)
+    through << (through.tellp() > 0 ? "/" : "") << p.x() << ',' << p.y() << ',' << p.z();
+  for (const bool in_scan : {false, true}) {
+    Arguments arguments =
+        in_scan ? Arguments{"--scan", "die.xyz", "--through", through.str(), "--half-width", "9"} : Arguments{"rail.txt", "generator.txt"};
+    for (const char* word : {"-o", "program.csv", "-o", "program.yaml", "--tool-radius", "6", "--step-over", "3", "--flank-length", "30",
+                             "--holder", "7,40/20,25,60", "--accept-collisions", "--origin", "0,0,0"})
+      arguments.emplace_back(word);
+    const RunResult result = run(PCL_SPIRAL_RIDGE_PROGRAM, arguments);
+    ASSERT_EQ(result.code, 0) << result.err;
+
+    RidgePlanner<pcl::PointXYZ> planner;
+    if (in_scan) {
+      planner.setInputCloud(readCloud(folder_.path("die.xyz")).cloud);
+      std::vector<Vector3d> read;
+      std::string number;
+      for (std::istringstream text(through.str()); std::getline(text, number, '/');) {
+        Vector3d p;
+        std::sscanf(number.c_str(), "%lf,%lf,%lf", &p.x(), &p.y(), &p.z());
+        read.push_back(p);
+      }
+      planner.setRoughPoints(read);
+      planner.setHalfWidth(9.0);
+    }
+    else {
+      const auto lineOf = [this](const char* file) {
+        const Scan scan = readCloud(folder_.path(file));
+        Polyline line;
+        for (const pcl::PointXYZ& p : *scan.cloud)
+          line.push_back(p.getVector3fMap().cast<double>());
+        return line;
+      };
+      planner.setMeasuredLines(lineOf("rail.txt"), lineOf("generator.txt"));
+    }
+    PassSettings tool;
+    tool.cutter = CutterShape::ball(6.0);
+    tool.cutter.flank_length = 30.0;
+    tool.holder = {{7.0, 7.0, 40.0, "segment 1 of the holder"}, {20.0, 25.0, 60.0, "segment 2 of the holder"}};
+    tool.accept_collisions = true;
+    planner.setPassSettings(tool);
+    RidgeRowSettings rows;
+    rows.step_over = 3.0;
+    rows.chord_error = 0.5 * tool.tolerance;
+    planner.setRowSettings(rows);
+    std::vector<ToolPoses> passes;
+    planner.compute(passes);
+    ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    const PassPath joined = joinedPasses(passes);
+    writeToolpath(folder_.path("cpp.csv"), joined.path, {6.0, 1000.0, joined.tips, joined.begins});
+    EXPECT_EQ(readText(folder_.path("cpp.csv")), readText(folder_.path("program.csv"))) << in_scan;
+    EXPECT_GT(joined.path.size(), 300U);
+  }
 }
 
 } // namespace same_in_cpp_test

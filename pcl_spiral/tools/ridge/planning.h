@@ -7,19 +7,10 @@
 #include "job.h"
 #include "passes/pass_result.h"
 
-#include <pcl_spiral/ridge/impl/ridge_lines_engine.h>
-#include <pcl_spiral/ridge/ridge_rows.h>
-#include <pcl_spiral/ridge/ridge_surface.h>
-
-#include <optional>
+#include <pcl_spiral/planning/ridge_plan.h>
 
 /** The result of a run. Without a cutter the mesh is of the ridge, and only for pictures. */
-struct Result : PassResult {
-  pcl_spiral::Polyline rail, generator; ///< measured points, or those found in the scan
-  pcl_spiral::RidgeSurface::ConstPtr ridge;
-  std::optional<pcl_spiral::ScanRidgeReport> found; ///< if both lines were found in a scan
-  pcl_spiral::RidgeRowReport rows;
-};
+struct Result : PassResult, pcl_spiral::RidgeFigures {};
 
 /** Reads or finds the lines, makes the rows, finds the cutter locations. \throw UsageError, pcl_spiral::FileError, Cancelled */
 Result plan(const Job& job);

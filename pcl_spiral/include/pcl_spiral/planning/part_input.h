@@ -5,11 +5,9 @@
 #pragma once
 
 #include <pcl_spiral/core/tool_holder.h>
+#include <pcl_spiral/planning/impl/cloud_of.h>
 #include <pcl_spiral/planning/part_choice.h>
 
-#include <pcl/common/io.h>
-
-#include <type_traits>
 #include <vector>
 
 namespace pcl_spiral {
@@ -36,21 +34,6 @@ public:
   const std::vector<PlanRegion>& getRegions() const { return regions_; } ///< Those of addRegion.
 
 protected:
-  /** \p cloud as a cloud of \p Other; null if it is. */
-  template <typename Other, typename Own>
-  static typename pcl::PointCloud<Other>::ConstPtr as(const pcl::shared_ptr<const pcl::PointCloud<Own>>& cloud)
-  {
-    if constexpr (std::is_same_v<Other, Own>)
-      return cloud;
-    else {
-      if (!cloud)
-        return nullptr;
-      const auto other = pcl::make_shared<pcl::PointCloud<Other>>();
-      pcl::copyPointCloud(*cloud, *other);
-      return other;
-    }
-  }
-
   /** The choice with what the surface has of it: place of the part and clusters. */
   PartChoice choice() const
   {

@@ -120,7 +120,7 @@ private:
       input.settings.mesh = this->mesh_;
     }
     else {
-      input.cloud = this->template as<pcl::PointXYZ>(this->input_);
+      input.cloud = cloudOf<pcl::PointXYZ>(this->input_);
       input.normals = this->getInputNormals();
       input.indices = this->givenIndices();
     }

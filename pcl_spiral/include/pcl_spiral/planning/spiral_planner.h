@@ -143,8 +143,8 @@ private:
     input.modifiers = this->modifiers_;
     input.progress = this->progress_;
     if (!input.mesh) {
-      input.cloud = this->template as<pcl::PointXYZ>(this->input_);
-      input.normals = this->template as<pcl::Normal>(this->getInputNormals());
+      input.cloud = cloudOf<pcl::PointXYZ>(this->input_);
+      input.normals = cloudOf<pcl::Normal>(this->getInputNormals());
       input.indices = this->givenIndices();
     }
     return planSpiral(input, plan_);

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/planning/impl/ridge_planning.h>
+
+#include "planning/part_surface.h"
+#include "planning/pass_locations.h"
+#include "planning/pass_mesh.h"
+#include "planning/tool_way.h"
+
+#include "drive/pass_axes.h"
+#include <pcl_spiral/common/impl/stage_clock.h>
+#include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/ridge/ridge_lines.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double scan_share = 0.3, lines_share = 0.6; // of the progress
+
+bool
+hasCutter(const RidgePlanInput& input)
+{
+  return input.tool.cutter.radius > 0.0;
+}
+
+void
+addWarnings(const Diagnostics& more, RidgePlan& plan)
+{
+  plan.warnings.insert(plan.warnings.end(), more.begin(), more.end());
+}
+
+/** What belongs to measured lines, to a ridge in a scan, to a beam, and to a cutter. */
+Status
+checkInput(const RidgePlanInput& input)
+{
+  const auto refused = [](const char* text) { return Status(StatusCode::InvalidArgument, text); };
+  const bool measured = !input.rail.empty() || !input.generator.empty();
+  if (measured != input.rough_points.empty())
+    return refused(measured
+                       ? "measured lines ({setMeasuredLines}) and rough points ({setRoughPoints}) are both given: leave one of the two out"
+                       : "the lines of the ridge are missing: give both ({setMeasuredLines}), or a scan with rough points on the ridge "
+                         "({setInputCloud}, {setRoughPoints})");
+  if (!measured && !input.cloud)
+    return refused("rough points ({setRoughPoints}) are given, but no scan: give the one that holds the ridge ({setInputCloud})");
+  if (hasCutter(input)) {
+    if (input.rows.stand_off != 0.0)
+      return refused("a cutter touches the surface: leave {RidgeRowSettings::stand_off} out, or the cutter ({PassSettings::cutter})");
+    if (input.rows.spot_size != 0.0)
+      return refused("a spot belongs to a beam: for a cutter set {RidgeRowSettings::step_over}, or ball and scallop height");
+    if (const Diagnostic fault = faultOf(input.tool.cutter); !fault.empty())
+      return {StatusCode::InvalidArgument, Diagnostic("the cutter ({PassSettings::cutter}): ", fault)};
+  }
+  else if (!input.tool.holder.empty())
+    return refused("a holder is given without a cutter, and the head of a beam is not checked: set {PassSettings::cutter}, or leave the "
+                   "holder out");
+  else if (input.cloud && measured)
+    return refused("a beam uses only the measured lines: leave the scan out ({setInputCloud}), give a cutter ({PassSettings::cutter}), or "
+                   "rough points in place of the lines ({setRoughPoints})");
+  if (const Diagnostic fault = rangeFault(input.tool); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
+  return Status::success();
+}
+
+/** The scan, without its outliers if asked for, and the surface through its points; null if they form none. */
+Status
+takeScan(const RidgePlanInput& input, StageClock& clock, RidgePlan& plan)
+{
+  plan.whole = plan.cloud = input.cloud;
+  plan.normals = input.normals;
+  if (input.leave_out_strays) {
+    if (const Status status = leaveOutStrays(input.surface.threads, plan); !status.ok())
+      return status;
+    clock.end("strays");
+  }
+  const Status status = makePartSurface(input.surface, partOf(input.progress, 0.0, scan_share), plan);
+  clock.end("surface");
+  return status;
+}
+
+Status
+findLines(const RidgePlanInput& input, RidgePlan& plan)
+{
+  plan.fault = RidgeFault::Scan;
+  RidgeLines<pcl::PointXYZ> lines;
+  lines.setInputCloud(plan.cloud); // not the cutter's surface: its side may differ
+  lines.setLargestPart(input.surface.largest_part);
+  lines.setThinning(input.surface.thinning);
+  lines.setNumberOfThreads(input.surface.threads);
+  lines.setRoughPoints(input.rough_points);
+  lines.setClosed(input.closed);
+  lines.setHalfWidth(input.half_width);
+  lines.setReferenceNormal(input.ridge.reference);
+  lines.setFlipNormals(input.ridge.flip);
+  lines.setQuiet(true);
+  lines.setProgressCallback(partOf(input.progress, scan_share, lines_share));
+  pcl::PointCloud<pcl::PointXYZ> rail, generator;
+  lines.compute(rail, generator);
+  if (!lines.getStatus().ok())
+    return lines.getStatus();
+  plan.rail = lines.getRail();
+  plan.generator = lines.getGenerator();
+  plan.ridge = lines.getRidge();
+  plan.found = lines.getReport();
+  addWarnings(plan.found->warnings, plan);
+  return Status::success();
+}
+
+Status
+takeLines(const RidgePlanInput& input, RidgePlan& plan)
+{
+  plan.fault = RidgeFault::Lines;
+  plan.rail = input.rail;
+  plan.generator = input.generator;
+  if (const Status status = RidgeSurface::make(plan.rail, plan.generator, input.ridge, plan.ridge); !status.ok())
+    return status;
+  addWarnings(plan.ridge->report().warnings, plan);
+  return Status::success();
+}
+
+Status
+makeRows(const RidgePlanInput& input, RidgePlan& plan, DrivePasses& rows)
+{
+  if (const Status status = planRidgeRows(*plan.ridge, input.rows, rows, plan.rows); !status.ok())
+    return status;
+  addWarnings(plan.rows.warnings, plan);
+  PassAxisSettings settings;
+  settings.smoothing_length = input.tool.axis_smoothing;
+  settings.max_rate = input.tool.max_axis_rate;
+  if (!hasCutter(input))
+    settings.stand_off = input.rows.stand_off;
+  PassAxisReport report;
+  const Status status = smoothPassAxes(settings, rows, report);
+  addWarnings(report.warnings, plan);
+  return status;
+}
+
+/** A beam at the places of the rows; its spot is below them on the surface. */
+void
+takeBeam(const RidgePlanInput& input, const DrivePasses& rows, RidgePlan& plan)
+{
+  const double stand_off = input.rows.stand_off, lean = std::hypot(input.rows.lead, input.rows.tilt);
+  plan.passes = beamPasses(rows, stand_off);
+  for (const ToolPoses& poses : plan.passes)
+    for (std::size_t i = 1; i < poses.size(); ++i)
+      plan.length += (poses[i].tip - poses[i - 1].tip).norm();
+  if (lean > 0.0 && stand_off != 0.0)
+    plan.warnings.push_back(
+        Diagnostic("the beam is tilted by about ", lean, " {degrees} at a stand-off of ", stand_off, " {mm}: it meets the surface about ",
+                   std::abs(stand_off) * std::tan(lean * degree),
+                   " {mm} beside the row, at the contacts in the files; to have the tip at the spot, leave {RidgeRowSettings::stand_off} "
+                   "out and add the stand-off to the tool length"));
+}
+
+Status
+takeCutter(const RidgePlanInput& input, const DrivePasses& rows, RidgePlan& plan)
+{
+  std::vector<ToolLocations> located;
+  if (const Status status = locateCutter(input.tool, input.surface, rows, partOf(input.progress, lines_share, 1.0), plan, located);
+      !status.ok())
+    return status;
+  plan.tool = toolOf(input.tool, plan);
+  if (const Status status = checkCollisions(input.tool, located); !status.ok())
+    return status;
+  if (const Status status = checkEnd(input.tool, located); !status.ok())
+    return status;
+  takePoses(located, plan);
+  if (plan.passes.empty())
+    return {StatusCode::Failed, "no row has two cutter locations over the part: check that lines and scan are in the same coordinates"};
+  if (!input.tool.holder.empty())
+    if (const Status status = checkToolWay(wayOf(plan), plan.passes, plan.warnings); !status.ok())
+      return status;
+  warnOfLocations(input.tool, plan);
+  return Status::success();
+}
+
+Status
+planWhole(const RidgePlanInput& input, RidgePlan& plan)
+{
+  if (const Status status = checkInput(input); !status.ok())
+    return status;
+  StageClock clock(plan.stages);
+  if (input.cloud)
+    if (const Status status = takeScan(input, clock, plan); !status.ok())
+      return status;
+  if (const Status status = input.rough_points.empty() ? takeLines(input, plan) : findLines(input, plan); !status.ok())
+    return status;
+  clock.end("lines");
+  plan.fault = RidgeFault::Rows;
+  DrivePasses rows;
+  if (const Status status = makeRows(input, plan, rows); !status.ok())
+    return status;
+  clock.end("rows");
+  if (!hasCutter(input)) {
+    takeBeam(input, rows, plan);
+    return Status::success();
+  }
+  if (!input.cloud) {
+    // The faces of the ridge are curved: at a chord error of a ten thousandth of the width, the surface behind them is a hundred times
+    // nearer (measured: 1e-5 mm on a ridge 27 mm wide), far below a cutter's tolerance.
+    constexpr double share_of_tolerance = 0.2, finest = 1e-4;
+    const double width = plan.ridge->generator().length();
+    if (const Status status = makeRidgeMesh(std::max(share_of_tolerance * input.tool.tolerance, finest * width), plan); !status.ok())
+      return status;
+    if (input.sample_mesh)
+      if (const Status status = sampleMesh(input.tool.cutter.radius, input.tool.threads, plan); !status.ok())
+        return status;
+    clock.end("mesh");
+  }
+  const Status status = takeCutter(input, rows, plan);
+  clock.end("locations");
+  return status;
+}
+
+} // namespace
+
+Status
+makeRidgeMesh(double chord_error, RidgePlan& plan)
+{
+  if (const Status status = ridgeMesh(*plan.ridge, chord_error, plan.mesh); !status.ok())
+    return {StatusCode::Failed, Diagnostic("a ridge ", plan.ridge->rail().length(), " {mm} long and ", plan.ridge->generator().length(),
+                                           " {mm} wide needs too many triangles, more than a million: machine it in pieces")};
+  return Status::success();
+}
+
+double
+pictureChordError(const RidgeSurface& ridge)
+{
+  return 1e-3 * ridge.generator().length();
+}
+
+Status
+planRidge(const RidgePlanInput& input, RidgePlan& plan)
+{
+  plan = RidgePlan();
+  const Status status = planWhole(input, plan);
+  if (!status.ok()) {
+    const RidgeFault fault = plan.fault;
+    plan = RidgePlan();
+    plan.fault = fault;
+  }
+  return status;
+}
+
+} // namespace pcl_spiral
