@@ -4,6 +4,7 @@
 #include "coordinate_rounding.h"
 #include "graph/covering_radius.h"
 
+#include <pcl_spiral/core/impl/noise_bounds.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
 #include <Eigen/Geometry>
@@ -17,7 +18,6 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double shortest_rim = 8.0; // in spacings: a shorter loop is a flaw of the triangulation
-constexpr double standard_deviations = 5.0;
 
 } // namespace
 
@@ -48,7 +48,7 @@ LocationSurface::measure()
   double magnitude = 0.0;
   for (int d = 0; d < 3; ++d)
     magnitude = std::max<double>({magnitude, std::abs(obstacles_.box().low[d]), std::abs(obstacles_.box().high[d])});
-  noise_allowance_ = standard_deviations * surface_->noise() + coordinate_rounding * magnitude;
+  noise_allowance_ = point_deviations * surface_->noise() + coordinate_rounding * magnitude;
   findRim();
   findCoveringRadii();
   findEdge();

@@ -8,6 +8,7 @@
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/core/impl/noise_bounds.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 #include <pcl_spiral/verify/material_removal.h>
 
@@ -19,8 +20,6 @@
 
 namespace pcl_spiral {
 namespace {
-
-constexpr double single_points = 5.0; // times their noise: no point is farther from the surface
 
 /** The middles of balls about the whole cutter between corner and flank, as pcl_spiral_drive keeps it out. */
 std::vector<std::vector<Eigen::Vector3d>>
@@ -224,7 +223,7 @@ faultInRaw(const RawScanFigures& raw, const pcl::PointCloud<ToolpathPoint>::Cons
   auto cut = cutBeside(raw.means, path, settings, words);
   if (!cut || cut->depth <= allowed + raw.leastMean()) {
     cut = cutBeside(raw.others, path, settings, words);
-    if (!cut || cut->depth <= allowed + single_points * raw.noise + raw.fit_error)
+    if (!cut || cut->depth <= allowed + point_deviations * raw.noise + raw.fit_error)
       return {};
   }
   return Diagnostic(words, " cuts ", cut->depth, " {mm} into the raw scan at ", Place(cut->place),

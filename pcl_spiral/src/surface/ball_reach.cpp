@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/impl/ball_reach.h>
 
+#include <pcl_spiral/core/impl/noise_bounds.h>
+
 #include "common/stoppable_loop.h"
 #include "empty_spheres.h"
 #include "graph/covering_radius.h"
@@ -15,7 +17,6 @@ namespace {
 
 constexpr double patch_spacings = 0.75; // half the width of a patch: neighbouring patches overlap
 constexpr double own_spacings = 2.5;    // radius about a foot within which fits of neighbouring points share most of their points
-constexpr double deviations = 3.0;      // of the fit: depths below that are not known
 constexpr double own_deviations = 6.0;  // about a foot, where neighbouring patches differ by the noise of both
 constexpr double own_steps = 0.1;       // spacings: steps between them without noise, at the ends of fillets
 constexpr double widest_void = 6.0;     // spacings: twice the largest circle without points that is surface, alpha 3
@@ -53,13 +54,13 @@ isNear(const PointBlocks& points, const Eigen::Vector3d& place, double distance)
 double
 reachTolerance(const MlsSurface& fit, double least)
 {
-  return std::max(least, deviations * fit.fitNoise());
+  return std::max(least, fit_deviations * fit.fitNoise());
 }
 
 BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles,
                      const std::vector<SurfacePatch>& beyond)
 : graph_(graph), fit_(fit), size_(graph.size()), radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)),
-  own_(own_spacings * graph.spacing()), own_tolerance_(std::max(own_deviations / deviations * tolerance_, own_steps * graph.spacing())),
+  own_(own_spacings * graph.spacing()), own_tolerance_(std::max(own_deviations / fit_deviations * tolerance_, own_steps * graph.spacing())),
   side_(graph.meanNormal())
 {
   if (obstacles.points.empty() && beyond.empty() && spheresAreEmpty(graph, radius_, own_, 0.5 * tolerance_)) {

@@ -2,6 +2,7 @@
 #include "noise_warning.h"
 
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/core/impl/noise_bounds.h>
 
 namespace pcl_spiral {
 
@@ -10,7 +11,7 @@ noiseWarning(const MlsSurface& surface, const char* what, double asked)
 {
   if (!(asked > 0.0) || asked >= surface.noise())
     return std::nullopt;
-  const bool hidden = asked < 3.0 * surface.fitNoise();
+  const bool hidden = asked < fit_deviations * surface.fitNoise();
   return Diagnostic("the ", what, " asked for, ", asked, " {mm}, {is below the noise of the scan}, ", surface.noise(),
                     " {mm} ({standard deviation of a point}); the surface fitted to ", surface.neighbours(),
                     " points at a time is known to ", surface.fitNoise(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/core/impl/noise_bounds.h>
 #include <pcl_spiral/verify/impl/deviation_estimation_engine.h>
 
 #include "common/stoppable_loop.h"
@@ -87,11 +88,10 @@ private:
   {
     constexpr double most = 0.5 * 1.01; // spacings; the place of a contact is rounded
     constexpr double bend = 1.0 / 16.0; // spacings: of half a spacing about the tightest radius of a scan, two spacings
-    constexpr double deviations = 3.0;  // of the fit, as leastShown
     const SurfaceGraph& graph = reference_.graph();
     const std::optional<Eigen::Vector3d> rim = reference_.mesh() ? std::nullopt : reference_.nearestOnRim(p, most * graph.spacing());
-    return rim &&
-           std::abs((p - *rim).dot(graph.normal(graph.blocks().nearest(p)))) < bend * graph.spacing() + deviations * reference_.fitNoise();
+    return rim && std::abs((p - *rim).dot(graph.normal(graph.blocks().nearest(p)))) <
+                      bend * graph.spacing() + fit_deviations * reference_.fitNoise();
   }
 
   void takeNormal(std::size_t i, const SurfaceFoot& foot)

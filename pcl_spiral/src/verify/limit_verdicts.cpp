@@ -4,6 +4,7 @@
 #include "verify/figure_text.h"
 #include "verify/verification_figures.h"
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/core/impl/noise_bounds.h>
 
 namespace pcl_spiral {
 namespace {
@@ -107,7 +108,7 @@ unprovenLimits(const Limits& limits, const Verification& verification)
 double
 leastShown(const DeviationFigures& deviation)
 {
-  return 3.0 * deviation.fit_noise;
+  return fit_deviations * deviation.fit_noise;
 }
 
 Verdict

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/material_removal_engine.h>
 
+#include <pcl_spiral/core/impl/noise_bounds.h>
+
 #include "path_order.h"
 #include "quantile.h"
 #include "reference_figures.h"
@@ -207,8 +209,7 @@ Measurement::finish(StockFigures& figures, std::vector<float>& heights, const Pl
 std::vector<float>
 Measurement::cutSteps() const
 {
-  constexpr double deviations = 3.0; // of the fit
-  const auto most = static_cast<float>(figures_.limit + deviations * reference_.fitNoise());
+  const auto most = static_cast<float>(figures_.limit + fit_deviations * reference_.fitNoise());
   std::vector<float> steps = steps_;
   for (std::size_t i = 0; i < steps.size(); ++i)
     if (!(heights_.stock[i] <= most))

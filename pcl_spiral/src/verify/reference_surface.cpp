@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
+
+#include <pcl_spiral/core/impl/noise_bounds.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
 #include "cleaning/standing_clusters.h"
@@ -163,7 +165,7 @@ noiseWarnings(const ReferenceSurface& reference, double scallop_height, double c
 {
   Diagnostics warnings;
   if (const ReferenceMesh* mesh = reference.mesh()) {
-    const double least = 3.0 * reference.fitNoise();
+    const double least = fit_deviations * reference.fitNoise();
     for (const auto& [what, asked] : {std::pair{"scallop height", scallop_height}, std::pair{"chord error", chord_error}})
       if (asked > 0.0 && asked < least)
         warnings.push_back(Diagnostic("the ", what, " asked for, ", asked, " {mm}, lies below ", least,
