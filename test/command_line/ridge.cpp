@@ -300,7 +300,7 @@ TEST_F(RidgeProgram, SaysWhatIsWrongWithACall)
   expectRefused(call({"--spot", "4", "--reference", "0,0,0"}), 2,
                 "the reference normal has no direction: set a vector such as (0, 0, 1) (--reference)");
   expectRefused(call({"--spot", "4", "--measuring-error", "-1"}), 2,
-                "--measuring-error -1: must be above 0 mm, or 0 for the noise of the points, such as 0.02");
+                "--measuring-error -1: must be above 0 mm, or 0 for the one found from the points, such as 0.02");
   expectRefused(call({"--spot", "4", "--lead", "90"}), 2, "--lead 90: must be above -90 and below 90 degrees, such as 5");
   expectRefused(call({"--scallop", "0.02"}), 2, "--scallop: belongs to a cutter, and no --tool-radius is given");
   expectRefused(call({"--tool-radius", "6", "--spot", "4"}), 2, "--spot: belongs to a beam; for a cutter give --step-over or --scallop");

@@ -49,7 +49,7 @@ rangeOf(const Setting& setting)
     return r.takes_least ? Diagnostic(withUnit(r.least, setting), " or more") : Diagnostic("above ", withUnit(r.least, setting));
   if (has_most)
     return Diagnostic(r.takes_most ? "at most " : "below ", withUnit(r.most, setting));
-  return "a number";
+  return setting.unit.empty() ? Diagnostic("a number") : Diagnostic("a number of", (" {" + setting.unit + "}").c_str());
 }
 
 bool
@@ -71,13 +71,10 @@ NumberRange::takes(double number) const
 }
 
 std::string
-Setting::optionName() const
+Setting::withDashes(std::string name)
 {
-  if (!option.empty())
-    return option;
-  std::string dashed = name;
-  std::replace(dashed.begin(), dashed.end(), '_', '-');
-  return dashed;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
 }
 
 std::optional<double>

@@ -93,16 +93,17 @@ settingTable(DriveSettings& s)
       Setting("drive", "setKind", "kind of drive path", "kind of drive path", "helix", s.kind),
       Setting("step_over", "setStepOver", "step-over", "largest distance between neighbouring passes", "1", s.step_over)
           .in("mm", NumberRange::from(0.0))
-          .zeroFor("the one of the scallop height"),
+          .writtenBy("step-over"),
       Setting("scallop", "setScallop", "scallop height",
               "largest height of the ridge left between passes, on slopes too; refused, with the height that is reached, where the passes "
               "leave more",
               "0.02", s.scallop_height)
           .in("mm", NumberRange::from(0.0))
-          .zeroFor("none"),
-      Setting("point_spacing", "setPointSpacing", "spacing of drive points",
-              "largest distance between drive points of a pass; on a mesh the default is the tool radius", "0.5", s.point_spacing)
-          .in("mm", NumberRange::above(0.0)),
+          .writtenBy("scallop"),
+      Setting("point_spacing", "setPointSpacing", "spacing of drive points", "largest distance between drive points of a pass", "0.5",
+              s.point_spacing)
+          .in("mm", NumberRange::above(0.0))
+          .writtenBy("point-spacing"),
       Setting("chord_error", "setChordError", "chord error", "largest distance of straight moves from the curved surface of a mesh",
               "0.002", s.chord_error)
           .in("mm", NumberRange::above(0.0))
@@ -113,10 +114,11 @@ settingTable(DriveSettings& s)
       Setting("direction", "setPlaneDirection", "direction of the passes", "planes: direction of passes about the tool axis, from X", "45",
               s.plane_angle)
           .in("degrees", NumberRange()),
-      Setting("rows", "setRows", "rows", "planes: at even steps, or everywhere as close as the scallop height needs", "kept", s.rows),
+      Setting("rows", "setRows", "rows", "planes: at even steps, or everywhere as close as the scallop height needs", "kept", s.rows)
+          .writtenBy("rows"),
       Setting("link", "setLinkRows", "linked rows", "planes: join rows on the surface where the next begins within two step-overs", "",
               s.link_rows),
-      Setting("zigzag", "setZigzag", "zigzag", "every second pass runs backwards", "", s.zigzag).onlyInCode(),
+      Setting("zigzag", "setZigzag", "zigzag", "every second pass runs backwards", "", s.zigzag).writtenBy("one-way"),
       Setting("axis", "setAxis", "tool axis", "tool axis, from tip to shank, for fixed axes and for planes", "0,1,1", s.axis),
       Setting("axis_mode", "setAxisMode", "source of tool axes",
               "source of tool axes; cylinder for helix and rings, else fixed, if it is "

@@ -189,7 +189,7 @@ settingTable(ProgramSettings& s)
           "is at least half of the lead length away; else the tool retracts",
           "20", s.stay_down)
           .in("mm", none_or_more)
-          .zeroFor("retracts"),
+          .zeroFor("no links"),
       Setting("plunge_feed", "ProgramSettings::plunge_feed", "plunge feed", "feed of the way down to the lead", "500", s.plunge_feed)
           .in("mm/min", none_or_more)
           .zeroFor("the feed"),

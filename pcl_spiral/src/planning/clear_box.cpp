@@ -41,7 +41,8 @@ Eigen::AlignedBox3d
 PassPlan::clearBox() const
 {
   const bool largest_part = surface && surface->settings().largest_part;
-  return whole && isChosen(chosen, largest_part, regions.size()) ? boxWithoutEchoes(*whole) : Eigen::AlignedBox3d();
+  return whole && !mesh && (!covers_scan || isChosen(chosen, largest_part, regions.size())) ? boxWithoutEchoes(*whole)
+                                                                                            : Eigen::AlignedBox3d();
 }
 
 } // namespace pcl_spiral

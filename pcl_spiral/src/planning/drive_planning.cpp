@@ -128,6 +128,7 @@ planRegion(const DrivePlanInput& input, const PartChoice& choice, const Progress
   clock.end("locations");
   plan.tool = toolOf(input.tool, plan);
   plan.gouges_checked = input.check_gouges;
+  plan.covers_scan = input.drive.kind != DriveKind::Curve;
   leaveOut(input.tool, located, plan);
   if (const Status status = checkCollisions(input.tool, located); !status.ok())
     return status;

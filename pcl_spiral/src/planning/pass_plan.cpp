@@ -16,21 +16,22 @@ settingTable(PassSettings& s)
       Setting(
           "ceiling", "PassSettings::ceiling", "ceiling",
           "the cutter comes from this far above the surface, along its axis: what is higher, such as the opposite wall of a bore, does not "
-          "lift it",
+          "lift it; a tool without a holder is ten radii long, without limit if its axis is fixed",
           "60", s.ceiling)
           .in("mm", NumberRange::from(0.0))
-          .zeroFor("the length of cutter and holder, without a holder ten radii or, if the axis is fixed, no limit"),
+          .zeroFor("the length of the tool"),
       Setting("tolerance", "PassSettings::tolerance", "tolerance",
               "adds points until no straight move gouges more or leaves more than this", "0.005", s.tolerance)
           .in("mm", NumberRange::from(least_tolerance)),
       Setting("axis_smoothing", "PassSettings::axis_smoothing", "smoothing length of the axis",
-              "smooths changes of the axis shorter than this along a pass", "20", s.axis_smoothing)
+              "smooths changes of the axis shorter than this along a pass, by up to 20 deg on average", "20", s.axis_smoothing)
           .in("mm", NumberRange::from(0.0))
           .zeroFor("no smoothing"),
       Setting("max_retilt", "PassSettings::max_retilt", "largest retilt",
               "where the holder would collide, or the cutter be lifted off its contact on a mesh, turn the axis by up to this", "30",
               s.max_retilt)
-          .in("degrees", NumberRange::from(0.0).upTo(90.0)),
+          .in("degrees", NumberRange::from(0.0).upTo(90.0))
+          .zeroFor("no turn"),
       Setting("retilt_step", "PassSettings::retilt_step", "step of the retilt",
               "largest change of that turn from one point of a pass to the next", "1", s.retilt_step)
           .in("degrees", NumberRange::above(0.0).upTo(180.0)),
@@ -40,8 +41,9 @@ settingTable(PassSettings& s)
           .zeroFor("no limit"),
       Setting("holder_clearance", "setHolderClearance", "clearance of the holder", "least distance between holder and scan", "1",
               s.holder_clearance)
-          .in("mm", NumberRange::from(0.0)),
-      threadsSetting(s.threads).onlyInCode(),
+          .in("mm", NumberRange::from(0.0))
+          .writtenBy("holder-clearance"),
+      threadsSetting(s.threads).writtenBy("threads"),
   };
 }
 

@@ -22,7 +22,7 @@ constexpr double scan_share = 0.3, lines_share = 0.6; // of the progress
 bool
 hasCutter(const RidgePlanInput& input)
 {
-  return input.tool.cutter.radius > 0.0;
+  return input.tool.cutter.radius != 0.0;
 }
 
 void
@@ -44,7 +44,25 @@ checkInput(const RidgePlanInput& input)
                          "({setInputCloud}, {setRoughPoints})");
   if (!measured && !input.cloud)
     return refused("rough points ({setRoughPoints}) are given, but no scan: give the one that holds the ridge ({setInputCloud})");
+  if (measured && (input.half_width != 0.0 || input.closed))
+    return refused(
+        "half width and ring ({setHalfWidth}, {setClosed}) belong to a ridge in a scan, and measured lines are given: leave them "
+        "out");
+  if (!measured && input.ridge.measuring_error != 0.0)
+    return refused("the lines are found in the scan, and so is the noise: leave {RidgeSettings::measuring_error} out");
+  if (!input.cloud && (input.leave_out_strays || input.surface.thinning != 0.0 || input.surface.largest_part))
+    return refused(
+        "settings of a scan are given ({setLeaveOutStrays}, {setThinning}, {setLargestPart}), but no scan: leave them out, or give "
+        "one ({setInputCloud})");
+  if (input.rows.overlap != 0.0 && input.rows.spot_size == 0.0)
+    return refused("an overlap belongs to the spot of a beam: leave {RidgeRowSettings::overlap} out, or set the spot");
   if (hasCutter(input)) {
+    const CutterShape& cutter = input.tool.cutter;
+    const bool is_ball = cutter.flank_angle == 0.0 && cutter.corner_radius == cutter.radius;
+    if (input.rows.tool_radius != 0.0 && !(is_ball && input.rows.tool_radius == cutter.radius))
+      return {StatusCode::InvalidArgument, Diagnostic("the rows keep the scallop height of a ball of radius ", input.rows.tool_radius,
+                                                      " {mm}, and the cutter is another one: set {RidgeRowSettings::tool_radius} to its "
+                                                      "radius, for a cutter that is no ball a {RidgeRowSettings::step_over}")};
     if (input.rows.stand_off != 0.0)
       return refused("a cutter touches the surface: leave {RidgeRowSettings::stand_off} out, or the cutter ({PassSettings::cutter})");
     if (input.rows.spot_size != 0.0)
@@ -52,14 +70,15 @@ checkInput(const RidgePlanInput& input)
     if (const Diagnostic fault = faultOf(input.tool.cutter); !fault.empty())
       return {StatusCode::InvalidArgument, Diagnostic("the cutter ({PassSettings::cutter}): ", fault)};
   }
-  else if (!input.tool.holder.empty())
-    return refused("a holder is given without a cutter, and the head of a beam is not checked: set {PassSettings::cutter}, or leave the "
-                   "holder out");
+  else if (!input.tool.holder.empty() || input.tool.holder_clearance != 0.0 || input.tool.max_retilt != 0.0 || input.tool.ceiling != 0.0)
+    return refused("holder, retilt and ceiling belong to a cutter, and the head of a beam is not checked: set {PassSettings::cutter}, or "
+                   "leave them out");
   else if (input.cloud && measured)
     return refused("a beam uses only the measured lines: leave the scan out ({setInputCloud}), give a cutter ({PassSettings::cutter}), or "
                    "rough points in place of the lines ({setRoughPoints})");
-  if (const Diagnostic fault = rangeFault(input.tool); !fault.empty())
-    return {StatusCode::InvalidArgument, fault};
+  for (const Diagnostic& fault : {rangeFault(input.tool), rangeFault(input.ridge)})
+    if (!fault.empty())
+      return {StatusCode::InvalidArgument, fault};
   return Status::success();
 }
 
@@ -68,6 +87,7 @@ Status
 takeScan(const RidgePlanInput& input, StageClock& clock, RidgePlan& plan)
 {
   plan.whole = plan.cloud = input.cloud;
+  plan.covers_scan = false; // only the ridge in it
   plan.normals = input.normals;
   if (input.leave_out_strays) {
     if (const Status status = leaveOutStrays(input.surface.threads, plan); !status.ok())
@@ -187,6 +207,9 @@ planWhole(const RidgePlanInput& input, RidgePlan& plan)
   if (const Status status = input.rough_points.empty() ? takeLines(input, plan) : findLines(input, plan); !status.ok())
     return status;
   clock.end("lines");
+  const Status cancelled(StatusCode::Cancelled, "cancelled");
+  if (input.progress && !input.progress(lines_share, "rows"))
+    return cancelled;
   plan.fault = RidgeFault::Rows;
   DrivePasses rows;
   if (const Status status = makeRows(input, plan, rows); !status.ok())
@@ -194,14 +217,15 @@ planWhole(const RidgePlanInput& input, RidgePlan& plan)
   clock.end("rows");
   if (!hasCutter(input)) {
     takeBeam(input, rows, plan);
-    return Status::success();
+    return input.progress && !input.progress(1.0, "done") ? cancelled : Status::success();
   }
   if (!input.cloud) {
     // The faces of the ridge are curved: at a chord error of a ten thousandth of the width, the surface behind them is a hundred times
     // nearer (measured: 1e-5 mm on a ridge 27 mm wide), far below a cutter's tolerance.
     constexpr double share_of_tolerance = 0.2, finest = 1e-4;
     const double width = plan.ridge->generator().length();
-    if (const Status status = makeRidgeMesh(std::max(share_of_tolerance * input.tool.tolerance, finest * width), plan); !status.ok())
+    if (const Status status = makeRidgeMesh(*plan.ridge, std::max(share_of_tolerance * input.tool.tolerance, finest * width), plan.mesh);
+        !status.ok())
       return status;
     if (input.sample_mesh)
       if (const Status status = sampleMesh(input.tool.cutter.radius, input.tool.threads, plan); !status.ok())
@@ -216,10 +240,10 @@ planWhole(const RidgePlanInput& input, RidgePlan& plan)
 } // namespace
 
 Status
-makeRidgeMesh(double chord_error, RidgePlan& plan)
+makeRidgeMesh(const RidgeSurface& ridge, double chord_error, SurfaceMesh::ConstPtr& mesh)
 {
-  if (const Status status = ridgeMesh(*plan.ridge, chord_error, plan.mesh); !status.ok())
-    return {StatusCode::Failed, Diagnostic("a ridge ", plan.ridge->rail().length(), " {mm} long and ", plan.ridge->generator().length(),
+  if (const Status status = ridgeMesh(ridge, chord_error, mesh); !status.ok())
+    return {StatusCode::Failed, Diagnostic("a ridge ", ridge.rail().length(), " {mm} long and ", ridge.generator().length(),
                                            " {mm} wide needs too many triangles, more than a million: machine it in pieces")};
   return Status::success();
 }

@@ -69,17 +69,17 @@ settingTable(RidgeRowSettings& s)
   const NumberRange length = NumberRange::from(0.0).upTo(longest_ridge_setting), angle = NumberRange::above(-90.0).below(90.0);
   return {
       Setting("direction", "setDirection", "direction of rows", "rows along the rail or across it", "across", s.direction),
-      Setting("zigzag", "setZigzag", "zigzag", "every second row runs backwards", "", s.zigzag).onlyInCode(),
-      Setting("spot", "setSpot", "spot", "diameter of a beam's spot", "4", s.spot_size).in("mm", length).zeroFor("none"),
-      Setting("overlap", "setSpot", "overlap", "share of the spot that the next row covers again", "0.25", s.overlap)
+      Setting("zigzag", "setZigzag", "zigzag", "every second row runs backwards", "", s.zigzag).writtenBy("one-way"),
+      Setting("spot", "setSpot", "spot", "diameter of a beam's spot", "4", s.spot_size).in("mm", length).writtenBy("spot"),
+      Setting("overlap", "setSpot", "overlap", "share of the spot that the next row covers again, below 1", "0.25", s.overlap)
           .in("", NumberRange::from(0.0).below(1.0)),
       Setting("step_over", "setStepOver", "step-over", "largest distance between neighbouring rows", "1", s.step_over)
           .in("mm", length)
-          .zeroFor("the one of spot or scallop height"),
+          .writtenBy("step-over"),
       Setting("scallop", "setScallop", "scallop height", "largest ridge height that a ball may leave between rows", "0.02",
               s.scallop_height)
           .in("mm", length)
-          .zeroFor("none"),
+          .writtenBy("scallop"),
       Setting("point_spacing", "setPointSpacing", "spacing of points", "largest distance between consecutive points", "0.5",
               s.point_spacing)
           .in("mm", NumberRange::above(0.0).upTo(longest_ridge_setting)),

@@ -47,7 +47,7 @@ settingTable(RidgeSettings& s)
       Setting("measuring_error", "setMeasuringError", "measuring error", "standard deviation of a coordinate of the measured points",
               "0.02", s.measuring_error)
           .in("mm", NumberRange::from(0.0))
-          .zeroFor("the noise of the points"),
+          .zeroFor("the one found from the points"),
       Setting("flip_normals", "setFlipNormals", "turned normals", "the tool is on the other side of the ridge", "", s.flip),
   };
 }

@@ -5,6 +5,7 @@
 #include "surface/choice_words.h"
 
 #include <cmath>
+#include <limits>
 
 namespace pcl_spiral {
 
@@ -80,7 +81,7 @@ turnTable(SpiralSettings& s)
           "shortest: radial or constant-scallop, whichever has the shorter predicted machining time; radial: turns about a centre or a "
           "hole; constant-scallop: loops along rim and holes, linked to one path; published: the method of Wu et al. 2025, for comparison",
           "radial", s.method),
-      Setting("turn_radius", "setLeastTurnRadius", "least turn radius", "warn of turns with a smaller radius than this", "0.1",
+      Setting("turn_radius", "setLeastTurnRadius", "least turn radius", "warn of turns with a smaller radius than this, 0 to 0.25", "0.1",
               s.least_turn_radius)
           .in("step-overs", NumberRange::from(0.0).upTo(0.25)),
       Setting("pitch", "setPitch", "pitch",

@@ -31,7 +31,7 @@ heightsOf(const Surface& surface)
 
 } // namespace
 
-Surface::Surface(Parts parts) : graph_(std::move(parts.graph)), fit_(graph_), voids_(std::make_shared<const ScanVoids>(graph_))
+Surface::Surface(Parts parts) : graph_(parts.graph), fit_(graph_), voids_(std::make_shared<const ScanVoids>(graph_))
 {
   parts.graph = SurfaceGraph();
   parts_ = std::make_shared<const Parts>(std::move(parts));

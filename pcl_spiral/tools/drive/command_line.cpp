@@ -46,7 +46,18 @@ path(Job& job)
 {
   OptionGroup group{
       "Drive path (mm, degrees)",
-      {switchOption("no-gouge-check",
+      {choiceOption("rows", "planes: at even steps, or everywhere as close as --scallop needs; default kept with --scallop: --rows even",
+                    job.drive.rows),
+       numberOption("point-spacing", "MM",
+                    "largest distance between drive points of a pass; default 1, on a mesh the tool radius: --point-spacing 0.5",
+                    job.drive.point_spacing),
+       numberOption("step-over", "MM", "largest distance between neighbouring passes; give this or --scallop: --step-over 1",
+                    job.drive.step_over),
+       numberOption("scallop", "MM",
+                    "largest height of the ridge left between passes, on slopes too; refused, with the height that is reached, "
+                    "where the passes leave more: --scallop 0.02",
+                    job.drive.scallop_height),
+       switchOption("no-gouge-check",
                     "put the cutter at the contacts of the mesh sections without checking the rest of the mesh: faster, but "
                     "it gouges narrow hollows",
                     job.no_gouge_check),
@@ -66,7 +77,7 @@ path(Job& job)
 OptionTable
 optionTable(Job& job)
 {
-  return {files(job), cutterOptions(job, "required"), path(job), programOptions(job.program), runOptions(job)};
+  return {files(job), cutterOptions(job, "required"), path(job), motionOptions(job), programOptions(job.program), runOptions(job)};
 }
 
 } // namespace

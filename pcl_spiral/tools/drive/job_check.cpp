@@ -162,6 +162,7 @@ completeJob(Job& job)
   completeCutter(job);
   completePath(job);
   checkTool(job);
+  job.drive.chord_error = 0.5 * job.tolerance; // the other half is for the moves between locations
   std::vector<InputName> inputs{{"the scan", job.scan}, {"the curve", job.curve_file}, {"the raw scan", job.raw_scan}};
   for (const std::string& file : job.regions.polygons)
     inputs.push_back({"a region", file});

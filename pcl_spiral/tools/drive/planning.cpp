@@ -86,7 +86,6 @@ void
 setPasses(const Job& job, Planner& planner, Diagnostics& warnings)
 {
   DriveSettings drive = job.drive;
-  drive.chord_error = 0.5 * job.tolerance; // the other half is for the moves between locations
   if (job.column_axis)
     drive.cylinder = DriveCylinder{fromScan(job.column_centre), *job.column_axis};
   if (drive.kind == DriveKind::Curve)

@@ -44,8 +44,15 @@ cutterOptions(PassJob& job, const std::string& need)
                     job.cutter.flank_length),
        numberOption("flank-angle", "A", flank_angle_help, job.cutter.flank_angle)}};
   addOptions(group, holderOptions(job.holder, job.holder_clearance));
-  addSettings(group, settingTable(static_cast<pcl_spiral::PassSettings&>(job)));
   addOptions(group, {numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)});
+  return group;
+}
+
+OptionGroup
+motionOptions(PassJob& job)
+{
+  OptionGroup group{"Moves and axes of the tool", {}};
+  addSettings(group, settingTable(static_cast<pcl_spiral::PassSettings&>(job)));
   return group;
 }
 

@@ -24,8 +24,10 @@ OptionGroup
 programOptions(ProgramJob& program)
 {
   pcl_spiral::ProgramSettings& settings = program.settings;
-  OptionGroup group{
-      "Program for a machine with five or three axes (.ngc .nc .mpf .h)",
+  OptionGroup group{"Program for a machine with five or three axes (.ngc .nc .mpf .h)", {}};
+  addSettings(group, settingTable(settings));
+  addOptions(
+      group,
       {textOption("machine", "FILE", "machine file in YAML: axes, limits, rates: --machine xyzac.yaml", program.machine_file),
        choiceOption("dialect",
                     "language of a .nc; a .ngc is always for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain: --dialect siemens",
@@ -70,7 +72,6 @@ programOptions(ProgramJob& program)
        textOption("pass-end", "CODE",
                   "code on its own line at the end of each pass: the beam is off on leads, between passes and while a rotary "
                   "axis unwinds; default none: --pass-end \"M63 P0\"",
-                  program.header.pass_end)}};
-  addSettings(group, settingTable(settings));
+                  program.header.pass_end)});
   return group;
 }

@@ -72,9 +72,12 @@ ridge(Job& job)
 OptionGroup
 rows(Job& job)
 {
-  OptionGroup group{"Rows (mm, degrees); give one of --spot, --step-over and --scallop",
-                    {switchOption("one-way", "all rows in one direction; default back and forth", job.one_way),
-                     numberOption("scallop", "H", "largest ridge height that a ball may leave between rows: --scallop 0.02", job.scallop)}};
+  OptionGroup group{
+      "Rows (mm, degrees); give one of --spot, --step-over and --scallop",
+      {switchOption("one-way", "all rows in one direction; default back and forth", job.one_way),
+       numberOption("spot", "MM", "diameter of a beam's spot: --spot 4", job.rows.spot_size),
+       numberOption("step-over", "MM", "largest distance between neighbouring rows: --step-over 1", job.rows.step_over),
+       numberOption("scallop", "MM", "largest ridge height that a ball may leave between rows: --scallop 0.02", job.scallop)}};
   addSettings(group, settingTable(job.rows));
   return group;
 }
@@ -82,7 +85,9 @@ rows(Job& job)
 OptionTable
 optionTable(Job& job)
 {
-  return {files(job),     ridge(job), rows(job), cutterOptions(job, "without it the tool is a beam"), programOptions(job.program),
+  return {files(job),         ridge(job),
+          rows(job),          cutterOptions(job, "without it the tool is a beam"),
+          motionOptions(job), programOptions(job.program),
           runOptions(job)};
 }
 

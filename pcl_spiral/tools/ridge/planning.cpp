@@ -109,12 +109,11 @@ plan(const Job& job)
   bar.clear();
   require(fileOf(job, planner.getPlan().fault), planner.getStatus());
   const Diagnostics reading = std::move(result.warnings);
-  RidgePlan planned = planner.getPlan();
+  static_cast<PassPlan&>(result) = planner.getPlan();
+  static_cast<RidgeFigures&>(result) = planner.getPlan();
   const bool pictures = std::any_of(job.outputs.begin(), job.outputs.end(), [](const std::string& o) { return extensionOf(o) == ".png"; });
   if (pictures && !job.hasCutter())
-    require(job.part, makeRidgeMesh(pictureChordError(*planned.ridge), planned));
-  static_cast<PassPlan&>(result) = planned;
-  static_cast<RidgeFigures&>(result) = planned;
+    require(job.part, makeRidgeMesh(*result.ridge, pictureChordError(*result.ridge), result.mesh));
   result.warnings.insert(result.warnings.begin(), reading.begin(), reading.end());
   result.stages.insert(result.stages.begin(), stages.begin(), stages.end());
   if (!job.hasCutter() && hasLeads(job.program, job.outputs))

@@ -25,6 +25,7 @@ settingsOf(const Job& job)
       {"one_way", job.one_way}, {"units", choiceName(job.read.unit)}, {"origin", placeOf(job.read.origin)}, {"feed", job.feed}};
   settings.update(settingsJson(job.ridge));
   settings.update(settingsJson(job.rows));
+  settings.erase("zigzag"); // said by one_way
   settings.update(settingsJson(static_cast<const PassSettings&>(job)));
   if (!job.through.empty()) {
     Json places = Json::array();

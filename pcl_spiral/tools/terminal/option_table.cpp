@@ -59,7 +59,7 @@ helpOf(const Setting& setting)
     help += "; default " + value;
   if (!setting.zero.empty() && !is_zero)
     help += ", 0 for " + setting.zero;
-  return setting.example.empty() ? help : help + ": --" + setting.optionName() + " " + setting.example;
+  return setting.example.empty() ? help : help + ": --" + setting.option + " " + setting.example;
 }
 
 /** Sets the variable of a setting from the text of its option. \throw UsageError */
@@ -92,8 +92,8 @@ void
 addSettings(OptionGroup& group, const std::vector<Setting>& settings)
 {
   for (const Setting& setting : settings) {
-    const std::string name = setting.optionName();
-    if (!setting.in_programs || findOption({group}, name))
+    const std::string name = setting.option;
+    if (!setting.by_table || findOption({group}, name))
       continue;
     group.options.push_back({name, argumentOf(setting), helpOf(setting), [setting, name](const std::string& text) {
                                std::visit(TakeText{setting, name, text}, setting.target);
@@ -107,7 +107,7 @@ requireInRange(const std::vector<Setting>& settings)
 {
   for (const Setting& setting : settings)
     if (const std::optional<double> number = numberOf(setting))
-      requireOption(setting.range.takes(*number), setting.optionName(), *number, ruleOf(setting));
+      requireOption(setting.range.takes(*number), setting.option, *number, ruleOf(setting));
 }
 
 void

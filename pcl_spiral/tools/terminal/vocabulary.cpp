@@ -48,6 +48,9 @@ constexpr SettingWords settings[] = {
     {"PassSettings::cutter", "tool-radius"},
     {"RidgeRowSettings::stand_off", "stand-off"},
     {"RidgeRowSettings::step_over", "step-over"},
+    {"RidgeRowSettings::overlap", "overlap"},
+    {"RidgeRowSettings::tool_radius", "scallop"},
+    {"RidgeSettings::measuring_error", "measuring-error"},
     {"setHalfWidth", "half-width"},
     {"setClosed", "ring"},
     {"setSpot", "spot", "--spot and --overlap"},
@@ -77,8 +80,8 @@ void
 addTable(Settings settings, Vocabulary& vocabulary)
 {
   for (const Setting& setting : settingTable(settings))
-    if (hasOption(setting.optionName()))
-      vocabulary.words[setting.setter] = "--" + setting.optionName();
+    if (!setting.option.empty() && hasOption(setting.option))
+      vocabulary.words[setting.setter] = "--" + setting.option;
 }
 
 bool of_mesh = false;

@@ -35,6 +35,9 @@ checkCutter(const Job& job)
     if (s.fixed_axis && job.given.count(option) > 0)
       throw UsageError(
           pcl_spiral::Diagnostic("--", option, " changes the tool axis along the path, and --axis keeps it; leave one of the two out"));
+  for (const auto& [option, value] : {std::pair("scallop", s.scallop_height), std::pair("chord-error", s.chord_error)})
+    requireOption(value < s.tool_radius, option, value,
+                  pcl_spiral::Diagnostic("must be below the tool radius, which is ", pcl_spiral::SixDigits(s.tool_radius), " mm"));
   if (const pcl_spiral::Status status = pcl_spiral::checkSettings(s); !status.ok())
     throw UsageError(status.diagnostic());
 }

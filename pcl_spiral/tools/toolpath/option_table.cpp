@@ -116,9 +116,9 @@ surface(Job& job)
                     job.sample_spacing),
        {"outliers", "K,SIGMA", "remove points farther than SIGMA standard deviations from their K neighbours: --outliers 16,3",
         [&job](const std::string& value) { setOutliers(job, value); }}}};
+  addSettings(group, settingTable(static_cast<pcl_spiral::SurfaceSettings&>(job.settings)));
   addOptions(group, regionOptions(job.part, job.regions));
   addOptions(group, {clustersOption(job.part)});
-  addSettings(group, settingTable(static_cast<pcl_spiral::SurfaceSettings&>(job.settings)));
   return group;
 }
 

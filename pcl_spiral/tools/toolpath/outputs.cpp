@@ -159,7 +159,7 @@ writeReport(const Job& job, const Result& result, const std::string& title, cons
   const std::optional<Verification> judged = found ? std::optional(inScan(*found)) : std::nullopt;
   const Verification* const verification = judged ? &*judged : nullptr;
   SpiralSettings settings = plan.settings;
-  for (std::optional<Eigen::Vector3d>* place : {&settings.centre, &settings.start_point, &settings.view_point})
+  for (std::optional<Eigen::Vector3d>* place : {&settings.centre, &settings.start_point, &settings.view_point, &settings.part_at})
     if (*place)
       *place = inScan(**place);
   const SpiralReport report = inScan(plan.report);

@@ -108,9 +108,13 @@ TEST(RidgePlanner, TheSameForEveryNumberOfThreads)
     std::vector<ToolPoses> passes;
     planner.compute(passes);
     ASSERT_TRUE(planner.getStatus().ok());
-    for (std::size_t k = 0; k < first.size(); ++k)
+    if (!first.empty())
+      ASSERT_EQ(passes.size(), first.size());
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      ASSERT_EQ(passes[k].size(), first[k].size());
       for (std::size_t i = 0; i < first[k].size(); ++i)
         ASSERT_TRUE(first[k][i].tip == passes[k][i].tip && first[k][i].axis == passes[k][i].axis);
+    }
     first = passes;
   }
 }
@@ -149,17 +153,51 @@ TEST(RidgePlanner, WhatHasNoMeaningIsRefusedAndNothingIsLeft)
        }},
       {"RidgeRowSettings::stand_off", rows(&RidgeRowSettings::stand_off)},
       {"a spot belongs to a beam", rows(&RidgeRowSettings::spot_size)},
-      {"more than one setting defines", rows(&RidgeRowSettings::tool_radius)},
+      {"more than one setting defines",
+       [](Planner& p) {
+         RidgeRowSettings settings = p.getRowSettings();
+         settings.tool_radius = radius;
+         settings.scallop_height = 0.05;
+         p.setRowSettings(settings);
+       }},
       {"a beam uses only the measured lines",
        [&](Planner& p) {
          beam(p);
          p.setInputCloud(scan());
        }},
-      {"a holder is given without a cutter", tool([](PassSettings& t) {
+      {"belong to a cutter", tool([](PassSettings& t) {
          t.cutter = CutterShape();
          t.holder = {{7.0, 7.0, 40.0, "shank"}};
        })},
       {"PassSettings::cutter", tool([](PassSettings& t) { t.cutter.corner_radius = 9.0; })},
+      {"the cutter's radius is -4", tool([](PassSettings& t) { t.cutter = CutterShape::ball(-4.0); })},
+      {"the cutter's radius is nan", tool([](PassSettings& t) { t.cutter = CutterShape::ball(std::nan("")); })},
+      {"an overlap belongs to the spot", rows(&RidgeRowSettings::overlap)},
+      {"retilt",
+       [](Planner& p) {
+         PassSettings settings;
+         settings.max_retilt = 10.0;
+         p.setPassSettings(settings);
+       }},
+      {"setHalfWidth", [](Planner& p) { p.setHalfWidth(5.0); }},
+      {"setClosed", [](Planner& p) { p.setClosed(true); }},
+      {"setThinning", [](Planner& p) { p.setThinning(1.0); }},
+      {"setLeaveOutStrays", [](Planner& p) { p.setLeaveOutStrays(true); }},
+      {"RidgeSettings::measuring_error",
+       [](Planner& p) {
+         p.setMeasuredLines({}, {});
+         setRough(p);
+         RidgeSettings ridge;
+         ridge.measuring_error = 0.1;
+         p.setRidgeSettings(ridge);
+       }},
+      {"the cutter is another one",
+       [](Planner& p) {
+         RidgeRowSettings settings;
+         settings.tool_radius = 8.0;
+         settings.scallop_height = 0.05;
+         p.setRowSettings(settings);
+       }},
       {"PassSettings::tolerance", tool([](PassSettings& t) { t.tolerance = 0.0; })},
       {"setNumberOfThreads", [](Planner& p) { p.setNumberOfThreads(5000); }},
       {"setIndices",
@@ -183,6 +221,29 @@ TEST(RidgePlanner, WhatHasNoMeaningIsRefusedAndNothingIsLeft)
     EXPECT_NE(planner.getStatus().message().find(words), std::string::npos) << planner.getStatus().message();
     EXPECT_TRUE(passes.empty() && planner.getPlan().passes.empty() && !planner.getPlan().ridge);
   }
+}
+
+TEST(RidgePlanner, RapidsCrossAboveWhatStandsBesideTheRidge)
+{
+  Planner planner;
+  setRows(planner);
+  setBall(planner);
+  setRough(planner);
+  const auto with_post = scan();
+  for (int i = 0; i < 12; ++i)
+    for (int k = 0; k < 12; ++k)
+      with_post->emplace_back(300.0f + i, 150.0f + k, 250.0f);
+  planner.setLargestPart(true);
+  planner.setInputCloud(with_post);
+  planner.compute();
+  ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  EXPECT_NEAR(planner.getPlan().clearBox().max().z(), 250.0, 1e-3);
+  Planner measured;
+  setRows(measured);
+  setBall(measured);
+  setLines(measured);
+  measured.compute();
+  EXPECT_TRUE(measured.getPlan().clearBox().isEmpty());
 }
 
 TEST(RidgePlanner, SaysWhereItFailed)
@@ -215,6 +276,12 @@ TEST(RidgePlanner, CancelledNothingIsLeft)
     EXPECT_EQ(planner.getStatus().code(), StatusCode::Cancelled) << at << planner.getStatus().message();
     EXPECT_TRUE(planner.getPlan().passes.empty());
   }
+  Planner beam;
+  setRows(beam);
+  setLines(beam);
+  beam.setProgressCallback([](double, const std::string&) { return false; });
+  beam.compute();
+  EXPECT_EQ(beam.getStatus().code(), StatusCode::Cancelled);
 }
 
 } // namespace ridge_planner_test

@@ -112,7 +112,7 @@ TEST(settings, rangesInWords)
   EXPECT_EQ(rule(NumberRange::from(0.0).upTo(256.0), "all"), "must be above 0 and at most 256 mm, or 0 for all, such as 3");
   EXPECT_EQ(rule(NumberRange::above(-90.0).below(90.0)), "must be above -90 and below 90 mm, such as 3");
   EXPECT_EQ(rule(NumberRange::from(0.0).upTo(0.25)), "must be from 0 to 0.25 mm, such as 3");
-  EXPECT_EQ(rule(NumberRange()), "must be a number, such as 3");
+  EXPECT_EQ(rule(NumberRange()), "must be a number of mm, such as 3");
   EXPECT_EQ(ruleOf(Setting("depth", "setDepth", "depth", "how deep", "", number).in("", NumberRange::above(0.0)).withRemedy("dig")).text(),
             "must be above 0; dig");
   EXPECT_FALSE(NumberRange().takes(std::nan("")));
@@ -238,6 +238,21 @@ TEST(settings, everySetterOfPassesThroughTheirBase)
   expectOwn<DrivePlanner<Point>>(setters);
 }
 
+/** Gives a number the \p value; false if its type cannot hold it. */
+bool
+put(double value, const Setting& setting)
+{
+  if (const auto* number = std::get_if<double*>(&setting.target))
+    **number = value;
+  else if (const auto* whole = std::get_if<int*>(&setting.target); whole && std::abs(value) < 1e9)
+    **whole = static_cast<int>(value);
+  else if (const auto* count = std::get_if<unsigned int*>(&setting.target); count && value >= 0.0 && value < 1e9)
+    **count = static_cast<unsigned int>(value);
+  else
+    return false;
+  return true;
+}
+
 /** The table of \p settings, each number of which in turn is out of its range, and what \p check says to it. */
 template <typename Settings>
 void
@@ -249,14 +264,12 @@ expectRefused(const Settings& settings, const std::function<Status(const Setting
   for (std::size_t i = 0; i < count; ++i) {
     Settings wrong = settings;
     const Setting setting = settingTable(wrong)[i];
-    const auto* number = std::get_if<double*>(&setting.target);
-    if (!number || skipped(setting))
+    if (skipped(setting))
       continue;
     for (const double value : {setting.range.least - (setting.range.takes_least ? 1.0 : 0.0),
                                setting.range.most + (setting.range.takes_most ? 1.0 : 0.0), std::nan("")}) {
-      if (setting.range.takes(value))
+      if (setting.range.takes(value) || !put(value, setting))
         continue;
-      **number = value;
       const Status status = check(wrong);
       EXPECT_EQ(status.code(), StatusCode::InvalidArgument) << setting.name << " " << value;
       const std::string cxx = status.message();
@@ -265,9 +278,9 @@ expectRefused(const Settings& settings, const std::function<Status(const Setting
       EXPECT_EQ(cxx.find('{'), std::string::npos) << cxx;
       Vocabulary option;
       option.has_setters = false;
-      option.words[setting.setter] = "--" + setting.optionName();
+      option.words[setting.setter] = "--" + setting.name;
       const std::string program = status.diagnostic().text(option);
-      EXPECT_NE(program.find("(--" + setting.optionName() + ")"), std::string::npos) << program;
+      EXPECT_NE(program.find("(--" + setting.name + ")"), std::string::npos) << program;
       EXPECT_EQ(program.find(setting.setter), std::string::npos) << program;
       const std::vector<double> numbers = status.diagnostic().numbers();
       ASSERT_FALSE(numbers.empty());
@@ -343,6 +356,30 @@ TEST(settings, numbersOutOfRangeAreRefusedByTheClasses)
         return planRidgeRows(*surface, s, passes, report);
       },
       [](const Setting& setting) { return setting.name == "spot" || setting.name == "scallop"; }); // two distances of rows
+  expectRefused<PassSettings>(
+      PassSettings(),
+      [](const PassSettings& s) {
+        return Status(rangeFault(s).empty() ? Status::success() : Status(StatusCode::InvalidArgument, rangeFault(s)));
+      },
+      none);
+  expectRefused<ProgramSettings>(
+      ProgramSettings(),
+      [](const ProgramSettings& s) {
+        MachineProgramGenerator programs;
+        programs.setMachine(xyzacTrunnion());
+        ToolPose pose;
+        pose.contact = pose.tip = Eigen::Vector3d::Zero();
+        pose.axis = Eigen::Vector3d::UnitZ();
+        ToolPose next = pose;
+        next.contact.x() = next.tip.x() = 5.0;
+        programs.setInputPoses({pose, next});
+        programs.setSettings(s);
+        programs.setQuiet(true);
+        MachineProgram program;
+        programs.compute(program);
+        return programs.getStatus();
+      },
+      none);
   expectRefused<RidgeSettings>(
       RidgeSettings(),
       [&](const RidgeSettings& s) {
@@ -363,7 +400,8 @@ TEST(settings, aSurfaceRefusesSettingsThatItWasNotMadeWith)
     EXPECT_EQ(disagreement(asked, asked), Diagnostic()) << setting.name;
     EXPECT_EQ(disagreement(SurfaceSettings(), asked), Diagnostic()) << "a default agrees with everything: " << setting.name;
     const Diagnostic said = disagreement(asked, SurfaceSettings());
-    EXPECT_EQ(said.text(), setting.name == "threads" ? "" : setting.setter);
+    const bool compared = setting.name != "threads" && setting.name != "trust_normals" && setting.name != "outlier_deviations";
+    EXPECT_EQ(said.text(), compared ? setting.setter : "");
   }
 }
 
@@ -392,14 +430,17 @@ rowOf(const Setting& setting)
   const std::optional<double> number = numberOf(setting);
   const bool needed = number && !setting.range.takes(*number), is_zero = value.empty() || value == "0";
   const std::string by_default = needed ? "must be set" : !is_zero ? value : !setting.zero.empty() ? setting.zero : number ? value : "none";
-  return "| `" + setting.name + "` | `" + setting.setter + "` | " + by_default + " | " + valuesOf(setting) + " | " + setting.help + " |\n";
+  const std::string option = setting.option.empty() ? "" : "`--" + setting.option + "`";
+  return "| `" + setting.name + "` | `" + setting.setter + "` | " + option + " | " + by_default + " | " + valuesOf(setting) + " | " +
+         setting.help + " |\n";
 }
 
 template <typename Settings>
 std::string
 tableOf(const char* heading, const char* what, Settings settings)
 {
-  std::string text = std::string("\n## ") + heading + "\n" + what + "\n\n| name | C++ | default | values | what |\n|---|---|---|---|---|\n";
+  std::string text =
+      std::string("\n## ") + heading + "\n" + what + "\n\n| name | C++ | option | default | values | what |\n|---|---|---|---|---|---|\n";
   for (const Setting& setting : settingTable(settings))
     text += rowOf(setting);
   return text;
@@ -410,9 +451,9 @@ TEST(settings, thePageHasTheTables)
   const std::string tables =
       tableOf("Spiral", "`SpiralSettings`: `SpiralToolpathGenerator`, `SpiralPlanner`, `pcl_spiral_toolpath`.", SpiralSettings()) +
       tableOf("Drive path", "`DriveSettings`: `DrivePath`, `DrivePlanner`, `pcl_spiral_drive`.", DriveSettings()) +
-      tableOf("Tool of passes", "`PassSettings`: `DrivePlanner`, `pcl_spiral_drive`, `pcl_spiral_ridge`.", PassSettings()) +
-      tableOf("Ridge", "`RidgeSettings`: `RidgeToolpath`, `pcl_spiral_ridge`.", RidgeSettings()) +
-      tableOf("Rows over a ridge", "`RidgeRowSettings`: `RidgeToolpath`, `pcl_spiral_ridge`.", RidgeRowSettings()) +
+      tableOf("Tool of passes", "`PassSettings`: `DrivePlanner`, `RidgePlanner`, `pcl_spiral_drive`, `pcl_spiral_ridge`.", PassSettings()) +
+      tableOf("Ridge", "`RidgeSettings`: `RidgeToolpath`, `RidgePlanner`, `pcl_spiral_ridge`.", RidgeSettings()) +
+      tableOf("Rows over a ridge", "`RidgeRowSettings`: `RidgeToolpath`, `RidgePlanner`, `pcl_spiral_ridge`.", RidgeRowSettings()) +
       tableOf("Mesh", "`MeshSettings`: `SurfaceMesh`, `pcl_spiral_drive --mesh`.", MeshSettings()) +
       tableOf("Program", "`ProgramSettings`: `MachineProgramGenerator`, `ProgramPlanner`, all programs that write machine programs.",
               ProgramSettings());

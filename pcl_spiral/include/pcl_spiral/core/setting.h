@@ -61,7 +61,7 @@ struct Setting {
   /** \p name, \p setter, \p words, \p help and \p example: see the members of these names. \p variable holds the value. */
   template <typename Value>
   Setting(const char* name, const char* setter, const char* words, const char* help, const char* example, Value& variable)
-  : name(name), setter(setter), words(words), help(help), example(example), target(targetOf(variable))
+  : name(name), setter(setter), words(words), help(help), example(example), option(withDashes(name)), target(targetOf(variable))
   {}
 
   /** The same with a unit and a range. */
@@ -83,36 +83,32 @@ struct Setting {
     remedy = sentence;
     return std::move(*this);
   }
-  /** The same, where an option of the programs writes it in its own way. */
+  /** The same, whose option \p of_option the programs write in their own way. */
   Setting writtenBy(const char* of_option) &&
   {
     option = of_option;
+    by_table = false;
     return std::move(*this);
   }
+  /** The same, without an option of the programs. */
+  Setting onlyInCode() && { return std::move(*this).writtenBy(""); }
 
-  /** The same, without an option that the table gives it. */
-  Setting onlyInCode() &&
-  {
-    in_programs = false;
-    return std::move(*this);
-  }
-
-  std::string name;        ///< in scripts and reports: "tool_radius"
-  std::string setter;      ///< in C++: "setToolRadius", or the member of a struct
-  std::string words;       ///< in a sentence: "tool radius"
-  std::string help;        ///< what it is
-  std::string example;     ///< a value that is usual
-  std::string unit;        ///< "mm"; empty: none
-  std::string zero;        ///< what 0, or no value, stands for, as in "0 for the tool radius"; empty: for itself
-  Diagnostic remedy;       ///< for a value out of range, beside another value; empty: none
-  std::string option;      ///< of the programs, without dashes; empty: the name with dashes in it
-  bool in_programs = true; ///< whether its option is made of the table
-  NumberRange range;       ///< of a number
-  Target target;           ///< the variable
-
-  std::string optionName() const; ///< "tool-radius"
+  std::string name;     ///< in scripts and reports: "tool_radius"
+  std::string setter;   ///< in C++: "setToolRadius", or the member of a struct
+  std::string words;    ///< in a sentence: "tool radius"
+  std::string help;     ///< what it is
+  std::string example;  ///< a value that is usual
+  std::string unit;     ///< "mm"; empty: none
+  std::string zero;     ///< what 0, or no value, stands for, as in "0 for the tool radius"; empty: for itself
+  Diagnostic remedy;    ///< for a value out of range, beside another value; empty: none
+  std::string option;   ///< of the programs, without dashes: "tool-radius"; empty: none
+  bool by_table = true; ///< whether the option is made of the table
+  NumberRange range;    ///< of a number
+  Target target;        ///< the variable
 
 private:
+  static std::string withDashes(std::string name);
+
   template <typename Value>
   static Target targetOf(Value& variable)
   {

@@ -86,6 +86,7 @@ struct PassPlan {
   BisectionFigures bisection;    ///< of the moves between locations
   LedTool tool;                  ///< as used
   bool gouges_checked = true;    ///< false: the cutter stands at the contacts of a mesh
+  bool covers_scan = true;       ///< false: the passes run over a band of the scan, as a ridge or a curve
   std::vector<StageCost> stages; ///< time and memory
   Diagnostics warnings;          ///< of all but choosing the part; of several regions of that, too, each with the name of its region
 
@@ -97,8 +98,8 @@ struct PassPlan {
   OuterSide side;             ///< what decided the side of the scan; of several regions that of the first
   SurfaceMesh::ConstPtr mesh; ///< the part if it is a mesh; null for a scan
 
-  /** The box of what stands in the scan, without false echoes, for ProgramSettings::clear_box: rapids cross above it. Empty if the whole
-   *  scan is the part, and for a mesh. */
+  /** The box of what stands in the scan, without false echoes, for ProgramSettings::clear_box: rapids cross above it. Empty if the passes
+   *  cover the whole scan, and for a mesh. */
   Eigen::AlignedBox3d clearBox() const;
 
   /** Locations of all passes. */

@@ -121,6 +121,12 @@ private:
   Status makeConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, bool alone, StageClock& clock,
                              TurnAttempt& attempt);
   Status makePublished(const Surface& surface, StageClock& clock, SpiralPath& path);
+  /** From now on only neighbourhoods are needed, unless a modifier looks at the surface. */
+  void giveUpTriangles(Surface::ConstPtr& surface) const
+  {
+    if (modifiers_.empty())
+      surface = Surface::withoutTriangulation(surface);
+  }
   Surroundings allAround(const Surface& surface);
   Status makePath(StageClock& clock, Surface::ConstPtr surface, const Surroundings& around, SpiralPath& path);
   Status run(StageClock& clock, SpiralPath& path);

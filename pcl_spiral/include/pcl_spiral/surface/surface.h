@@ -85,7 +85,9 @@ public:
     Diagnostic kept_part;                  ///< see keptPart()
     Diagnostics warnings;                  ///< see warnings()
   };
-  explicit Surface(Parts parts); ///< Takes the parts and fits the surface to them.
+  explicit Surface(Parts parts);                ///< Takes the parts and fits the surface to them.
+  Surface(const Surface&) = default;            ///< The same data, shared.
+  Surface& operator=(const Surface&) = default; ///< The same data, shared.
 
   /** The same surface without triangles, which are the larger half of its memory: for stages that need only neighbourhoods. It shares all
    *  else, and the triangles are freed with the last surface that has them. */

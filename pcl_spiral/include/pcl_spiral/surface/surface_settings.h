@@ -42,8 +42,8 @@ struct SurfaceSettings {
 std::vector<Setting> settingTable(SurfaceSettings& settings);
 
 /** Name of the first setter that \p asked uses and \p made does not agree with; empty if there is none. A setting
- *  \p asked leaves at its default agrees with everything. strict and threads are not
- *  compared. */
+ *  \p asked leaves at its default agrees with everything. strict, trust_normals and threads are
+ *  not compared. */
 Diagnostic disagreement(SurfaceSettings asked, SurfaceSettings made);
 
 } // namespace pcl_spiral

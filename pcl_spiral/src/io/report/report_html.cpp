@@ -152,6 +152,16 @@ shown(const Setting& setting)
   return value.empty() ? "none" : setting.unit.empty() ? value : value + " " + setting.unit;
 }
 
+/** Whether another setting does not switch \p setting off. */
+bool
+isUsed(const Setting& setting, const SpiralSettings& settings)
+{
+  for (const char* of_lean : {"tilt", "lead", "max_axis_rate", "axis_smoothing", "axis_deviation"})
+    if (settings.fixed_axis && setting.name == of_lean)
+      return false;
+  return setting.name != "outlier_deviations" || settings.outlier_neighbours > 0;
+}
+
 void
 addSettings(HtmlPage& page, const RunFiles& files, SpiralSettings settings)
 {
@@ -168,6 +178,8 @@ addSettings(HtmlPage& page, const RunFiles& files, SpiralSettings settings)
                                                                                          "files for machines"},
                 {"Written", outputs}};
   for (const Setting& setting : settingTable(settings)) {
+    if (!isUsed(setting, settings))
+      continue;
     std::string words = setting.words;
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
     rows.push_back({words, shown(setting)});

@@ -233,6 +233,10 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
                {"memory", memoryJson(report.stages)},
                {"warnings", textsOf(warnings, files.words)},
                {"diagnostics", diagnosticsJson(warnings, files.words, files.shift)}};
+  if (settings.max_step == 0.0)
+    json["settings"]["max_step"] = settings.tool_radius; // as used
+  if (settings.hole_size == 0.0)
+    json["settings"]["hole_size"] = nullptr; // found from the scan
   addTries(files.attempts, files.words, json);
   if (files.mesh)
     json["mesh"] = meshJson(*files.mesh);

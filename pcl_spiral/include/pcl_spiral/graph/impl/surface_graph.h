@@ -34,6 +34,8 @@ public:
   static constexpr std::size_t fewest_points = 50;
 
   SurfaceGraph() = default;
+  SurfaceGraph(const SurfaceGraph&) = default; // and no move: what is left would have no data
+  SurfaceGraph& operator=(const SurfaceGraph&) = default;
 
   /** Make the graph. \p points must be finite. Fails on fewer than 50, or if they do not form a surface. */
   Status build(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options);

@@ -4,7 +4,9 @@
  */
 #pragma once
 
+#include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/planning/ridge_plan.h>
+#include <pcl_spiral/surface/surface_settings.h>
 
 namespace pcl_spiral {
 
@@ -28,8 +30,8 @@ struct RidgePlanInput {
 /** Plans the rows. \p plan has no passes if the status is not ok. */
 Status planRidge(const RidgePlanInput& input, RidgePlan& plan);
 
-/** The triangles of the ridge of \p plan, whose curved surface is \p chord_error near it, mm, if its width allows. */
-Status makeRidgeMesh(double chord_error, RidgePlan& plan);
+/** Triangles of \p ridge, whose curved surface is \p chord_error near it, mm. Fails if they would be too many. */
+Status makeRidgeMesh(const RidgeSurface& ridge, double chord_error, SurfaceMesh::ConstPtr& mesh);
 
 /** The chord error of triangles for pictures, mm. */
 double pictureChordError(const RidgeSurface& ridge);

@@ -48,7 +48,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOnLines(Surface::Cons
   reportLines(lines, settings_, attempt.plan, attempt.warnings);
   const double area = surface->area();
   if (given_lines_ || methodAsked(settings_) == SpiralMethod::Radial)
-    surface = Surface::withoutTriangulation(surface); // the projection needs only neighbourhoods; makeShortest may need it
+    giveUpTriangles(surface); // the projection needs only neighbourhoods; makeShortest may need it
   clock.end("radial lines");
   if (progress_ && !progress_(0.6, "spiral"))
     return {StatusCode::Cancelled, "cancelled"};
@@ -83,7 +83,8 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(Surfa
 {
   attempt.plan.method = SpiralMethod::ConstantScallop;
   ScallopFigures figures;
-  const Status status = planConstantScallop(surface, loops, settings_, partOf(progress_, 0.4, 0.65), alone, clock, attempt.turns, figures);
+  const Status status = planConstantScallop(surface, loops, settings_, partOf(progress_, 0.4, 0.65), alone && modifiers_.empty(), clock,
+                                            attempt.turns, figures);
   attempt.plan.largest_allowed_step = attempt.turns.largest_allowed_step;
   if (status.ok())
     reportScallop(figures, settings_, attempt.plan, attempt.warnings);

@@ -106,14 +106,14 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
   switch (methodAsked(settings_)) {
   case SpiralMethod::ConstantScallop: {
     const Status status = makeConstantScallop(surface, loops, true, clock, attempt);
-    surface = Surface::withoutTriangulation(surface);
+    giveUpTriangles(surface);
     return status;
   }
   case SpiralMethod::Radial:
     return makeRadial(surface, loops, clock, attempt);
   default: {
     const Status status = makeShortest(surface, loops, clock, attempt);
-    surface = Surface::withoutTriangulation(surface);
+    giveUpTriangles(surface);
     return status;
   }
   }
@@ -200,6 +200,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
   std::unique_ptr<BallReach> reach;
   {
     TurnAttempt attempt;
+    attempt.plan = report_; // what is known so far
     const Status made = makeCurve(surface, around, clock, attempt, reach);
     static_cast<TurnPlan&>(report_) = attempt.plan;
     report_.warnings.insert(report_.warnings.end(), attempt.warnings.begin(), attempt.warnings.end());
