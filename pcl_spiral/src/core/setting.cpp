@@ -32,7 +32,9 @@ textOfValue(const Eigen::Vector3d& v)
 Diagnostic
 withUnit(double number, const Setting& setting)
 {
-  return setting.unit.empty() ? Diagnostic(number) : Diagnostic(number, " ", ("{" + setting.unit + "}").c_str());
+  const bool whole = number == std::floor(number) && std::abs(number) < 1e15;
+  const Diagnostic digits = whole ? Diagnostic(static_cast<long long>(number)) : Diagnostic(number);
+  return setting.unit.empty() ? digits : Diagnostic(digits, " ", ("{" + setting.unit + "}").c_str());
 }
 
 /** The range in words: "above 0 and below 90 {degrees}". */

@@ -115,6 +115,9 @@ TEST(settings, rangesInWords)
   EXPECT_EQ(rule(NumberRange()), "must be a number of mm, such as 3");
   EXPECT_EQ(ruleOf(Setting("depth", "setDepth", "depth", "how deep", "", number).in("", NumberRange::above(0.0)).withRemedy("dig")).text(),
             "must be above 0; dig");
+  unsigned int count = 4294967295U;
+  EXPECT_EQ(faultOf({Setting("count", "setCount", "count", "how many", "", count).in("", NumberRange::from(0.0).upTo(9.0))}).text(),
+            "the count is 4294967295: it must be from 0 to 9 (setCount)");
   EXPECT_FALSE(NumberRange().takes(std::nan("")));
   EXPECT_FALSE(NumberRange::above(0.0).takes(INFINITY));
   EXPECT_TRUE(NumberRange::above(0.0).upTo(INFINITY).takes(INFINITY));

@@ -70,7 +70,7 @@ TEST(RefusedScallopStages, FieldsOfSettingsThatCannotBe)
   distances.setToolRadius(5.0);
   expectRefused(distances, made, "scallop height is 0");
   distances.setScallopHeight(6.0);
-  expectRefused(distances, made, "smaller than the tool radius");
+  expectRefused(distances, made, "below the tool radius, which is 5 mm");
   distances.setScallopHeight(0.1);
   expectRefused(distances, made, "setInputCloud");
   distances.setInputCloud(disc());

@@ -337,7 +337,7 @@ TEST(SpiralToolpathGenerator, RefusesWithAnEmptyPath)
     refused(spiral, code, word);
   };
   const auto argument = StatusCode::InvalidArgument;
-  with([](Generator& g) { g.setScallopHeight(6.0); }, argument, "smaller than the tool radius");
+  with([](Generator& g) { g.setScallopHeight(6.0); }, argument, "below the tool radius, which is 6 mm");
   with([](Generator& g) { g.setChordError(-0.01); }, argument, "chord error");
   with([](Generator& g) { g.setTiltAngle(90.0); }, argument, "tilt");
   with([](Generator& g) { g.setToolRadius(std::nan("")); }, argument, "tool radius");
