@@ -10,7 +10,6 @@
 #include "planning/pass_mesh.h"
 #include "planning/plan_regions.h"
 #include "planning/scallop_check.h"
-#include "planning/tool_way.h"
 
 #include "drive/pass_axes.h"
 #include <pcl_spiral/common/impl/stage_clock.h>
@@ -130,16 +129,10 @@ planRegion(const DrivePlanInput& input, const PartChoice& choice, const Progress
   plan.gouges_checked = input.check_gouges;
   plan.covers_scan = input.drive.kind != DriveKind::Curve;
   leaveOut(input.tool, located, plan);
-  if (const Status status = checkCollisions(input.tool, located); !status.ok())
+  if (const Status status =
+          takeChecked(input.tool, located, "no pass has two cutter locations over the part; check the drive path and the tool axis", plan);
+      !status.ok())
     return status;
-  if (const Status status = checkEnd(input.tool, located); !status.ok())
-    return status;
-  takePoses(located, plan);
-  if (plan.passes.empty())
-    return {StatusCode::Failed, "no pass has two cutter locations over the part; check the drive path and the tool axis"};
-  if (!input.tool.holder.empty())
-    if (const Status status = checkToolWay(wayOf(plan), plan.passes, plan.warnings); !status.ok())
-      return status;
   if (input.drive.goesRound())
     warnOfEnds(input, located, plan);
   if (const Status status = checkScallop(input, plan); !status.ok())

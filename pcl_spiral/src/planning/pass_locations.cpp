@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/pass_locations.h"
 
+#include "planning/tool_way.h"
+
 #include "cutter/tool_body.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/cutter/cutter_location.h>
@@ -48,6 +50,9 @@ locateCutter(const PassSettings& settings, const SurfaceSettings& surface, const
   return location.getStatus();
 }
 
+namespace {
+
+/** Failed with the deepest place if shank or holder are in the part at a location, unless that is accepted. */
 Status
 checkCollisions(const PassSettings& settings, const std::vector<ToolLocations>& located)
 {
@@ -71,6 +76,7 @@ checkCollisions(const PassSettings& settings, const std::vector<ToolLocations>& 
                      ", or {setAcceptCollisions} to write the path anyway")};
 }
 
+/** Failed if the scan goes on above the end of the tool, and nothing says how long the tool is or from where it comes. */
 Status
 checkEnd(const PassSettings& settings, const std::vector<ToolLocations>& located)
 {
@@ -100,6 +106,7 @@ checkEnd(const PassSettings& settings, const std::vector<ToolLocations>& located
                      length, ")")};
 }
 
+/** Passes without the locations that are off the part; a pass of one location is none. */
 void
 takePoses(const std::vector<ToolLocations>& located, PassPlan& plan)
 {
@@ -123,6 +130,20 @@ takePoses(const std::vector<ToolLocations>& located, PassPlan& plan)
     }
     close();
   }
+}
+
+} // namespace
+
+Status
+takeChecked(const PassSettings& settings, const std::vector<ToolLocations>& located, const Diagnostic& none, PassPlan& plan)
+{
+  for (const auto& check : {checkCollisions, checkEnd})
+    if (const Status status = check(settings, located); !status.ok())
+      return status;
+  takePoses(located, plan);
+  if (plan.passes.empty())
+    return {StatusCode::Failed, none};
+  return settings.holder.empty() ? Status::success() : checkToolWay(wayOf(plan), plan.passes, plan.warnings);
 }
 
 void

@@ -37,14 +37,10 @@ Status locateCutter(const PassSettings& settings, const SurfaceSettings& surface
 /** The cutter at the given contacts, without a check for gouges. */
 std::vector<ToolLocations> standAtContacts(const PassSettings& settings, const DrivePasses& passes);
 
-/** Failed with the deepest place if shank or holder are in the part at a location, unless that is accepted. */
-Status checkCollisions(const PassSettings& settings, const std::vector<ToolLocations>& located);
-
-/** Failed if the scan goes on above the end of the tool, and nothing says how long the tool is or from where it comes. */
-Status checkEnd(const PassSettings& settings, const std::vector<ToolLocations>& located);
-
-/** Passes without the locations that are off the part; a pass of one location is none. */
-void takePoses(const std::vector<ToolLocations>& located, PassPlan& plan);
+/** Takes the locations as passes of \p plan, without those that are off the part. Failed with the place if shank or holder are in the part
+ *  at a location or on the way between them, unless that is accepted, or if the scan goes on above the end of the tool, and nothing says
+ *  how long the tool is or from where it comes; with the text \p none if no pass is left. */
+Status takeChecked(const PassSettings& settings, const std::vector<ToolLocations>& located, const Diagnostic& none, PassPlan& plan);
 
 /** Adds the warnings about locations. */
 void warnOfLocations(const PassSettings& settings, PassPlan& plan);

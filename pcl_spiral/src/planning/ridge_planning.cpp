@@ -4,7 +4,6 @@
 #include "planning/part_surface.h"
 #include "planning/pass_locations.h"
 #include "planning/pass_mesh.h"
-#include "planning/tool_way.h"
 
 #include "drive/pass_axes.h"
 #include <pcl_spiral/common/impl/stage_clock.h>
@@ -181,16 +180,11 @@ takeCutter(const RidgePlanInput& input, const DrivePasses& rows, RidgePlan& plan
       !status.ok())
     return status;
   plan.tool = toolOf(input.tool, plan);
-  if (const Status status = checkCollisions(input.tool, located); !status.ok())
+  if (const Status status =
+          takeChecked(input.tool, located,
+                      "no row has two cutter locations over the part: check that lines and scan are in the same coordinates", plan);
+      !status.ok())
     return status;
-  if (const Status status = checkEnd(input.tool, located); !status.ok())
-    return status;
-  takePoses(located, plan);
-  if (plan.passes.empty())
-    return {StatusCode::Failed, "no row has two cutter locations over the part: check that lines and scan are in the same coordinates"};
-  if (!input.tool.holder.empty())
-    if (const Status status = checkToolWay(wayOf(plan), plan.passes, plan.warnings); !status.ok())
-      return status;
   warnOfLocations(input.tool, plan);
   return Status::success();
 }
@@ -246,12 +240,6 @@ makeRidgeMesh(const RidgeSurface& ridge, double chord_error, SurfaceMesh::ConstP
     return {StatusCode::Failed, Diagnostic("a ridge ", ridge.rail().length(), " {mm} long and ", ridge.generator().length(),
                                            " {mm} wide needs too many triangles, more than a million: machine it in pieces")};
   return Status::success();
-}
-
-double
-pictureChordError(const RidgeSurface& ridge)
-{
-  return 1e-3 * ridge.generator().length();
 }
 
 Status

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 #include "judging/raw_scan_option.h"
+#include "passes/pass_scan.h"
 #include "program/program_check.h"
 #include "terminal/failure.h"
 #include "terminal/region_choice.h"
@@ -64,19 +65,8 @@ readMeshPart(const Job& job, Planner& planner, Result& result)
 void
 readScanPart(const Job& job, Planner& planner, Result& result)
 {
-  Scan scan = readCloud(job.scan, job.read);
-  setScanFrame(scan.shift, job.read);
-  result.warnings = scan.warnings;
-  result.asked_side = sideOf(scan, fromScan(job.view_point));
-  planner.setInputCloud(scan.cloud);
-  planner.setInputNormals(result.asked_side.normals);
-  planner.setTrustNormals(false); // they come from a file: normals without a common side are not used, with a warning
-  if (result.asked_side.view_point)
-    planner.setViewPoint(*result.asked_side.view_point);
+  readPassScan(job, planner, result);
   planner.setFlipNormals(job.flip_scan);
-  planner.setLargestPart(job.largest_part);
-  planner.setThinning(job.thinning);
-  planner.setLeaveOutStrays(job.leave_out_strays);
   planner.setClusterHandling(job.choice.clusters);
   setPart(job.choice, job.regions, job.read, planner);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning.h"
 
+#include "passes/pass_scan.h"
 #include "program/program_check.h"
 #include "terminal/failure.h"
 #include "terminal/file_names.h"
@@ -17,6 +18,8 @@ namespace {
 
 using Planner = RidgePlanner<pcl::PointXYZ>;
 
+constexpr double for_pictures = 1e-3; // of the width of a ridge: chord error of its triangles
+
 Polyline
 readLine(const Job& job, const std::string& file, bool first, Diagnostics& warnings)
 {
@@ -32,23 +35,6 @@ readLine(const Job& job, const std::string& file, bool first, Diagnostics& warni
   for (const pcl::PointXYZ& p : *read.cloud)
     points.push_back(p.getVector3fMap().cast<double>());
   return points;
-}
-
-void
-readScan(const Job& job, Planner& planner, Result& result)
-{
-  const Scan scan = readCloud(job.scan, job.read);
-  setScanFrame(scan.shift, job.read);
-  result.warnings = scan.warnings;
-  result.asked_side = sideOf(scan, fromScan(job.view_point));
-  planner.setInputCloud(scan.cloud);
-  planner.setInputNormals(result.asked_side.normals);
-  planner.setTrustNormals(false); // they come from a file: normals without a common side are not used, with a warning
-  if (result.asked_side.view_point)
-    planner.setViewPoint(*result.asked_side.view_point);
-  planner.setLargestPart(job.largest_part);
-  planner.setThinning(job.thinning);
-  planner.setLeaveOutStrays(job.leave_out_strays);
 }
 
 void
@@ -97,7 +83,7 @@ plan(const Job& job)
   Planner planner;
   bar.update(0.0, "reading " + (job.scan.empty() ? job.rail : job.scan));
   if (!job.scan.empty())
-    readScan(job, planner, result);
+    readPassScan(job, planner, result);
   setLines(job, planner, result.warnings);
   clock.end("reading");
   if (cancelled())
@@ -113,7 +99,7 @@ plan(const Job& job)
   static_cast<RidgeFigures&>(result) = planner.getPlan();
   const bool pictures = std::any_of(job.outputs.begin(), job.outputs.end(), [](const std::string& o) { return extensionOf(o) == ".png"; });
   if (pictures && !job.hasCutter())
-    require(job.part, makeRidgeMesh(*result.ridge, pictureChordError(*result.ridge), result.mesh));
+    require(job.part, makeRidgeMesh(*result.ridge, for_pictures * result.ridge->generator().length(), result.mesh));
   result.warnings.insert(result.warnings.begin(), reading.begin(), reading.end());
   result.stages.insert(result.stages.begin(), stages.begin(), stages.end());
   if (!job.hasCutter() && hasLeads(job.program, job.outputs))

@@ -33,7 +33,4 @@ Status planRidge(const RidgePlanInput& input, RidgePlan& plan);
 /** Triangles of \p ridge, whose curved surface is \p chord_error near it, mm. Fails if they would be too many. */
 Status makeRidgeMesh(const RidgeSurface& ridge, double chord_error, SurfaceMesh::ConstPtr& mesh);
 
-/** The chord error of triangles for pictures, mm. */
-double pictureChordError(const RidgeSurface& ridge);
-
 } // namespace pcl_spiral
