@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shows a toolpath on its scan or mesh in a window.
-#include "judging/judged_part.h"
+#include "judging/judged_scan.h"
 #include "judging/judged_scene.h"
+#include "terminal/failure.h"
 #include "terminal/program_main.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
@@ -32,15 +33,19 @@ requireWindow()
                              "'xvfb-run -a pcl_spiral_verify SCAN PATH --tool-radius R -o verified.png'");
 }
 
-JudgedPart
-shownPart(const ViewJob& job)
+/** Reads the scan or mesh, and chooses its part. */
+JudgedScan
+readShown(const ViewJob& job, PathJudge& judge)
 {
-  const JudgedRegion asked{job.part, job.regions, {job.settings.cutter.radius, 0.0}, job.settings.flip_normals, job.settings.threads};
-  const JudgedPart part = readParts(job.scan, job.read, job.mesh, job.settings.view_point, asked).front();
+  JudgedScan scan = readJudged(job);
+  require(job.scan, judge.prepare(scan.input, 0.0));
+  Diagnostics warnings = scan.warnings;
+  const Diagnostics& of_choice = judge.parts().front().chosen.warnings;
+  warnings.insert(warnings.end(), of_choice.begin(), of_choice.end());
   if (!job.quiet)
-    for (const Diagnostic& warning : part.warnings)
+    for (const Diagnostic& warning : warnings)
       std::cerr << "pcl_spiral_view: warning: " << inWords(warning) << '\n';
-  return part;
+  return scan;
 }
 
 /** A scan without a path. */
@@ -48,8 +53,10 @@ VerificationScene
 scanScene(const ViewJob& job)
 {
   VerificationScene scene;
+  PathJudge judge;
+  readShown(job, judge);
   scene.part.title = titleWithShift(std::filesystem::path(job.scan).filename().string());
-  scene.part.cloud = shownPart(job).cloud;
+  scene.part.cloud = judge.parts().front().cloud;
   scene.part.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   return scene;
 }
@@ -57,34 +64,22 @@ scanScene(const ViewJob& job)
 VerificationScene
 jobScene(const ViewJob& job)
 {
-  const JudgedPart part = shownPart(job);
-  JudgeSettings settings = job.settings;
-  settings.mesh = part.mesh;
-  settings.normals = part.side.normals;
-  settings.view_point = part.side.view_point;
-  settings.part_at = part.chosen.part_at;
-  settings.sample_spacing = job.mesh ? job.mesh->sample_spacing : 0.0;
+  PathJudge judge;
+  const JudgedScan scan = readShown(job, judge);
   ToolpathFile read = readToolpath(job.path, scanShift());
   if (!read.has_contacts)
     throw FileError(job.path, "holds tips and axes without contacts: write contacts with 'pcl_spiral_verify SCAN PATH --tool-radius R -o "
                               "PATH.vtp' and show that file");
-  const auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(read.path));
-  settings.tips = std::move(read.tips);
-  std::shared_ptr<const ReferenceSurface> reference;
-  Verification verification;
-  verification.path = job.path;
-  Heights heights;
+  GivenPath given;
+  given.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(read.path));
+  given.tips = std::move(read.tips);
+  JudgedPath judged;
+  judged.verification.path = job.path;
   ProgressBar bar(job.quiet);
-  const auto judge = job.settings.cutter.radius > 0.0 ? judgePath : judgeDeviation;
-  const Status status = judge(
-      part.cloud, path, settings, [&](double share, const std::string& stage) { return bar.update(share, stage); }, reference, verification,
-      heights);
-  bar.clear();
-  if (cancelled())
-    throw std::runtime_error("cancelled");
-  if (!status.ok())
-    throw FileError(job.path, status.diagnostic());
-  return judgedScene(part.cloud, path, settings, *reference, verification, heights);
+  judge.setProgress([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
+  require(job.path, judge.judge(given, 0, judged));
+  const JudgedPart& part = judge.parts().front();
+  return judgedScene(part.cloud, judged.path, scan.input.settings, *part.reference, judged.verification, judged.heights);
 }
 
 /** The option that chooses this part; it is printed, too. */

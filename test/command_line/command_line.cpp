@@ -418,7 +418,7 @@ TEST_F(CommandLine, LimitsOfTheCheckDecideWhetherThePathIsWritten)
   EXPECT_NE(broken.err.find("a limit is broken: --max-scallop 0.0001"), std::string::npos) << broken.err;
   EXPECT_EQ(folder_.count(), before);
   expectRefused({"cap.xyz", "--tool-radius", "3", "--scallop", "0.02", "--max-gouge", "-1", "-o", "b.csv"}, 2,
-                {"--max-gouge -1", "0 or more"});
+                {"--max-gouge -1", "0 mm or more"});
 }
 
 TEST_F(CommandLine, AReportMakesItsRunAgain)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the programs make, C++ users make with the same classes: files are the same byte for byte.
 #include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/machine_reader.h>
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/polygon_reader.h>
+#include <pcl_spiral/io/program_reader.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
@@ -34,6 +36,24 @@ using Arguments = std::vector<std::string>;
 using Planner = SpiralPlanner<pcl::PointXYZ>;
 
 const Eigen::Vector3d on_left(-75.0, 0.0, 4.0), on_right(85.0, 10.0, 7.0);
+
+/** A program whose cutting moves lie deeper by \p depth, mm. */
+std::string
+lowered(const std::string& program, double depth)
+{
+  std::istringstream lines(program);
+  std::ostringstream all;
+  all.precision(9);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t z = line.find(" Z"), end = z == std::string::npos ? z : line.find(' ', z + 1);
+    if (line.rfind("G1", 0) == 0 && z != std::string::npos)
+      all << line.substr(0, z) << " Z" << std::stod(line.substr(z + 2)) - depth << (end == std::string::npos ? "" : line.substr(end));
+    else
+      all << line;
+    all << '\n';
+  }
+  return all.str();
+}
 
 class SameInCpp : public ::testing::Test {
 protected:
@@ -315,6 +335,124 @@ TEST_F(SameInCpp, TheVerdictOnAPathThroughAKeepOut)
     for (std::size_t i = 0; i < found.broken.size(); ++i)
       EXPECT_EQ(json["diagnostics"]["broken_limits"][i]["id"], found.broken[i].id());
   }
+}
+
+TEST_F(SameInCpp, TheJudgementOfAProgram)
+{
+  const Arguments cutter{"--tool-radius", "4", "--scallop", "0.05"}, part{"--part-at", "-75,0,4"};
+  Arguments make{"scan.xyz", "-o", "path.ngc", "--machine", PCL_SPIRAL_MACHINES_DIR "/xyzac.yaml"};
+  Arguments verify{"scan.xyz", "path.ngc", "-o", "v.json", "--max-gouge", "0.02", "--machine", PCL_SPIRAL_MACHINES_DIR "/xyzac.yaml"};
+  for (Arguments* arguments : {&make, &verify})
+    for (const Arguments* more : {&cutter, &part})
+      arguments->insert(arguments->end(), more->begin(), more->end());
+  ASSERT_EQ(run(PCL_SPIRAL_TOOLPATH_PROGRAM, make).code, 0);
+  const std::string text = readText(folder_.path("path.ngc"));
+  for (const bool deeper : {false, true}) {
+    if (deeper)
+      writeText(folder_.path("path.ngc"), lowered(text, 0.1));
+    const RunResult result = run(PCL_SPIRAL_VERIFY_PROGRAM, verify);
+    PathVerifier<pcl::PointXYZ> verifier;
+    verifier.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+    verifier.setPartAt(on_left);
+    verifier.setInputProgram(readProgram(folder_.path("path.ngc"), readMachine(PCL_SPIRAL_MACHINES_DIR "/xyzac.yaml")));
+    verifier.setCutter(CutterShape::ball(4.0));
+    Limits limits;
+    limits.gouge = 0.02;
+    verifier.setLimits(limits);
+    Verification found;
+    verifier.compute(found);
+    ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+    EXPECT_EQ(result.code == 0, found.broken.empty()) << result.err;
+    EXPECT_EQ(found.broken.empty(), !deeper);
+    const nlohmann::json json = nlohmann::json::parse(readText(folder_.path("v.json")))["paths"][0];
+    EXPECT_EQ(json["program"]["blocks"].get<std::size_t>(), found.program->blocks);
+    EXPECT_EQ(json["program"]["passes"].get<std::size_t>(), found.program->passes);
+    EXPECT_EQ(json["deviation"]["rms"].get<double>(), found.deviation.rms);
+    EXPECT_EQ(json["material"]["gouge"]["value"].get<double>(), found.removal.gouge.value);
+    EXPECT_EQ(json["deviation"]["points"].get<std::size_t>(), verifier.getJudgedPath()->size());
+  }
+}
+
+TEST_F(SameInCpp, TheJudgementOfTwoRegions)
+{
+  const Arguments regions{"--region",      "east.txt", "--region",  "west.txt", "--crop", "-130,-20,-50,50,-2,50",
+                          "--tool-radius", "4",        "--scallop", "0.05"};
+  Arguments make{"scan.xyz", "-o", "path.csv"}, verify{"scan.xyz", "path.csv", "-o", "v.json"};
+  for (Arguments* arguments : {&make, &verify})
+    arguments->insert(arguments->end(), regions.begin(), regions.end());
+  ASSERT_EQ(run(PCL_SPIRAL_TOOLPATH_PROGRAM, make).code, 0);
+  run(PCL_SPIRAL_VERIFY_PROGRAM, verify);
+  const ToolpathFile read = readToolpath(folder_.path("path.csv"));
+  PathVerifier<pcl::PointXYZ> verifier;
+  verifier.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+  verifier.setCropBox({Eigen::Vector3d(-130.0, -50.0, -2.0), Eigen::Vector3d(-20.0, 50.0, 50.0)});
+  verifier.addRegion({polygon("east.txt"), std::nullopt, ""});
+  verifier.addRegion({polygon("west.txt"), std::nullopt, ""});
+  verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(read.path));
+  verifier.setInputTips(read.tips);
+  verifier.setCutter(CutterShape::ball(4.0));
+  Verification one;
+  verifier.compute(one);
+  EXPECT_FALSE(verifier.getStatus().ok()); // each region has its own
+  std::vector<Verification> found;
+  verifier.compute(found);
+  ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+  const nlohmann::json json = nlohmann::json::parse(readText(folder_.path("v.json")))["paths"];
+  ASSERT_EQ(found.size(), 2U);
+  ASSERT_EQ(json.size(), 2U);
+  EXPECT_EQ(verifier.getJudgedPath(0)->size() + verifier.getJudgedPath(1)->size(), read.path.size());
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(json[i]["deviation"]["max"]["value"].get<double>(), found[i].deviation.max.value);
+    EXPECT_EQ(json[i]["material"]["scallop"]["max"]["value"].get<double>(), found[i].removal.scallop.max.value);
+    EXPECT_EQ(json[i]["motion"]["length"].get<double>(), found[i].removal.path_length);
+  }
+}
+
+TEST_F(SameInCpp, TipsWithoutContacts)
+{
+  ASSERT_EQ(
+      run(PCL_SPIRAL_TOOLPATH_PROGRAM, {"scan.xyz", "-o", "path.csv", "--tool-radius", "4", "--scallop", "0.05", "--part-at", "-75,0,4"})
+          .code,
+      0);
+  const ToolpathFile made = readToolpath(folder_.path("path.csv"));
+  std::ostringstream tips;
+  tips.precision(12);
+  tips << "tip_x,tip_y,tip_z,axis_x,axis_y,axis_z\n";
+  for (std::size_t i = 0; i < made.path.size(); ++i)
+    tips << made.tips[i].x() << ',' << made.tips[i].y() << ',' << made.tips[i].z() << ',' << made.path[i].axis_x << ','
+         << made.path[i].axis_y << ',' << made.path[i].axis_z << '\n';
+  writeText(folder_.path("tips.csv"), tips.str());
+  const ToolpathFile read = readToolpath(folder_.path("tips.csv"));
+  ASSERT_FALSE(read.has_contacts);
+  PathVerifier<pcl::PointXYZ> verifier;
+  verifier.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+  verifier.setPartAt(on_left);
+  verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(read.path));
+  verifier.setInputTips(read.tips);
+  verifier.setHasContacts(false);
+  verifier.setCutter(CutterShape::ball(4.0));
+  Verification found;
+  verifier.compute(found);
+  ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+  double farthest = 0.0; // of the contacts that were found from the surface at those of the planner
+  for (std::size_t i = 0; i < made.path.size(); ++i) {
+    const Eigen::Vector3f apart = verifier.getJudgedPath()->points[i].getVector3fMap() - made.path[i].getVector3fMap();
+    farthest = std::max<double>(farthest, std::abs(apart.dot(made.path[i].getNormalVector3fMap())));
+  }
+  EXPECT_LT(farthest, 0.002);
+  verifier.setInputTips({});
+  verifier.compute(found);
+  EXPECT_EQ(verifier.getStatus().code(), StatusCode::InvalidInput) << "no tips";
+  verifier.setHasContacts(true); // the tips are not those of the ball at the contacts
+  Polyline off = made.tips;
+  off[7] += Eigen::Vector3d(0.0, 0.0, 0.5);
+  verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(made.path));
+  verifier.setInputTips(off);
+  verifier.compute(found);
+  ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+  EXPECT_EQ(found.tips_off, 1U);
+  EXPECT_EQ(found.tip_error.index, 7U);
+  EXPECT_NEAR(found.tip_error.value, 0.5, 1e-5);
 }
 
 TEST_F(SameInCpp, ABeamOnARidge)

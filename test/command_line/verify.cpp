@@ -377,12 +377,40 @@ TEST_F(Verify, WrongCallsAndDataAreRefused)
   EXPECT_EQ(code({"cap.xyz", "cap.xyz", "--tool-radius", "3", "-o", "a.json"}), 1);
   EXPECT_FALSE(std::filesystem::exists(folder_.path("a.json")));
   EXPECT_EQ(code({"--help"}), 0);
+  EXPECT_EQ(code({"cap.xyz", "cap.csv", "--tool-radius", "3", "--max-gauge", "1"}), 2);
+  EXPECT_NE(last_.err.find("--max-gauge is not an option; did you mean 'max-gouge'?"), std::string::npos) << last_.err;
+  EXPECT_EQ(code({"cap.xyz", "cap.csv", "--tool-radius", "3", "--max-gouge", "-1"}), 2);
+  EXPECT_NE(last_.err.find("--max-gouge -1: must be 0 mm or more"), std::string::npos) << last_.err;
   for (const char* output : {"a.png", "a.vtp"}) { // they show one path
     EXPECT_EQ(code({"cap.xyz", "cap.csv", "cap.pcd", "--tool-radius", "3", "-o", output}), 2);
     EXPECT_NE(last_.err.find("give only one path, or write .json or .html"), std::string::npos) << last_.err;
   }
   EXPECT_EQ(code({"cap.xyz", "cap.vtp", "--tool-radius", "3", "-o", "cap.vtp"}), 2);
   EXPECT_NE(last_.err.find("cap.vtp, which is read"), std::string::npos) << last_.err;
+}
+
+TEST_F(Verify, AJobFileSaysWhatTheCommandLineSays)
+{
+  const auto json = [&](const Arguments& arguments) {
+    last_ = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, arguments, folder_), folder_);
+    EXPECT_EQ(last_.code, 0) << last_.err;
+    nlohmann::json report = nlohmann::json::parse(readText(folder_.path("v.json")));
+    for (nlohmann::json& path : report["paths"]) {
+      path.erase("seconds");
+      path["deviation"].erase("seconds");
+      path["material"].erase("seconds");
+    }
+    return report["paths"].dump();
+  };
+  writeText(folder_.path("job.yaml"), "file: [cap.xyz, cap.csv]\ntool-radius: 3\nscallop: 0.02\nmax-gouge: 0.5\noutput: [v.json]\n");
+  const std::string by_options =
+      json({"cap.xyz", "cap.csv", "--tool-radius", "3", "--scallop", "0.02", "--max-gouge", "0.5", "-o", "v.json"});
+  EXPECT_EQ(json({"--config", "job.yaml"}), by_options);
+  EXPECT_NE(json({"--config", "job.yaml", "--scallop", "0.04"}), by_options) << "the command line goes first";
+  writeText(folder_.path("job.yaml"), "tool-radios: 3\n");
+  last_ = endOf(startProgram(PCL_SPIRAL_VERIFY_PROGRAM, {"cap.xyz", "cap.csv", "--config", "job.yaml"}, folder_), folder_);
+  EXPECT_EQ(last_.code, 2);
+  EXPECT_NE(last_.err.find("did you mean 'tool-radius'?"), std::string::npos) << last_.err;
 }
 
 } // namespace

@@ -111,6 +111,21 @@ judgedPoints(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const Referen
 
 } // namespace
 
+std::vector<Setting>
+settingTable(JudgeSettings& s)
+{
+  return {
+      Setting("scallop", "setScallopHeight", "scallop height", "scallop height that the path was made for", "0.02", s.scallop_height)
+          .in("mm", NumberRange::above(0.0)),
+      Setting("chord_error", "setChordError", "chord error", "chord error that the path was made for", "0.002", s.chord_error)
+          .in("mm", NumberRange::above(0.0)),
+      Setting("sample_spacing", "setSampleSpacing", "sample spacing", "distance of the points where a mesh is judged", "0.2",
+              s.sample_spacing)
+          .in("mm", NumberRange::from(0.0))
+          .zeroFor("the distance found from area and curvature"),
+  };
+}
+
 Status
 judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path,
                const JudgeSettings& settings, const ProgressCallback& progress, std::shared_ptr<const ReferenceSurface>& reference,
@@ -214,6 +229,22 @@ faultsBeside(const JudgedSurroundings& around, const Surface& reference, const p
   }
   requireClear(reference.riddenPoints(), ", where a cluster of points stands on the part");
   return faults;
+}
+
+Status
+compareRawScan(const pcl::PointCloud<pcl::PointXYZ>& raw, const Surface& smoothed, RawScanFigures& figures)
+{
+  std::vector<Eigen::Vector3f> points;
+  for (const pcl::PointXYZ& p : raw)
+    points.push_back(p.getVector3fMap());
+  if (points.empty())
+    return {StatusCode::InvalidInput, "the raw scan has no points"};
+  figures = compareWithRaw(smoothed, points);
+  if (2 * figures.points >= std::min(points.size(), smoothed.size())) // the surface may be of one region of the raw scan
+    return Status::success();
+  return {StatusCode::InvalidInput, Diagnostic(points.size() - figures.points, " of ", points.size(),
+                                               " points of this raw scan have no smoothed surface near: is it another part, another "
+                                               "unit, or are its columns others?")};
 }
 
 Diagnostic

@@ -5,6 +5,22 @@
 
 namespace pcl_spiral {
 
+std::vector<Setting>
+settingTable(Limits& l)
+{
+  return {
+      Setting("max_gouge", "Limits::gouge", "limit on gouges", "largest depth of gouges", "0.01", l.gouge).in("mm", NumberRange::from(0.0)),
+      Setting("max_scallop", "Limits::scallop", "limit on the scallop", "largest height of ridges and of stock at the rim", "0.06",
+              l.scallop)
+          .in("mm", NumberRange::from(0.0)),
+      Setting("max_deviation", "Limits::deviation", "limit on the deviation", "largest distance of the contacts from the surface", "0.02",
+              l.deviation)
+          .in("mm", NumberRange::from(0.0)),
+      Setting("max_uncut", "Limits::uncut", "limit on uncut points", "points of the surface that are not cut", "0.5", l.uncut)
+          .in("percent", NumberRange::from(0.0)),
+  };
+}
+
 std::string
 nameOf(const Verification& verification)
 {

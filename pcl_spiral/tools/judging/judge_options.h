@@ -4,55 +4,36 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/diagnostic.h>
-
+#include "terminal/program_run.h"
 #include "terminal/region_choice.h"
-#include <pcl_spiral/planning/impl/path_judging.h>
+#include "terminal/scan_places.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/mesh/surface_mesh.h>
+#include <pcl_spiral/planning/impl/path_judging.h>
 
-#include <boost/program_options.hpp>
+#include <string>
+#include <vector>
 
-#include <optional>
-
-/** Reads the arguments. Option names are written in full; arguments without a name are "file". \throw UsageError */
-boost::program_options::variables_map readArguments(int argc, const char* const* argv,
-                                                    const boost::program_options::options_description& options);
-
-/** Settings for a part given as a mesh. */
-struct MeshChoice {
-  pcl_spiral::MeshSettings settings;
-  double sample_spacing = 0.0; ///< mm; 0: chosen automatically
+/** What judging programs are told: what is judged, by what, and the cutter. */
+struct JudgeOptions : ProgramRun {
+  std::vector<std::string> files; ///< the scan or mesh, then the paths
+  pcl_spiral::ReadOptions read = readFindingOrigin();
+  bool mesh = false;                      ///< the first file is a mesh
+  pcl_spiral::MeshSettings mesh_settings; ///< of it; its side is also that of a scan
+  PartOptions part;                       ///< of a scan
+  RegionChoice regions;                   ///< of a scan
+  pcl_spiral::JudgeSettings settings;     ///< cutter with radius 0: not given
 };
 
-/** --units, --origin, --columns, --skip-lines */
-void addScanOptions(boost::program_options::options_description& options);
+/** --file with \p files_help, how it is read, the part and the mesh. */
+OptionGroup judgedFiles(JudgeOptions& job, const std::string& files_help);
 
-/** --tool-radius with \p radius_meaning as its help, --corner-radius, --flank-length, --flank-angle,
- * --scallop, --chord-error, --view-point, --flip-normals */
-void addCutterOptions(boost::program_options::options_description& options, const char* radius_meaning);
+/** The cutter, with \p radius_help of --tool-radius, and the finish. */
+OptionGroup judgedCutter(JudgeOptions& job, const std::string& radius_help);
 
-/** --part-at, --region, --crop, --keep-out, --clusters */
-void addPartOptions(boost::program_options::options_description& options);
-
-/** Crop and keep-outs. */
-PartOptions partOptions(const boost::program_options::variables_map& given);
-
-/** The regions. \throw UsageError */
-RegionChoice regionChoice(const boost::program_options::variables_map& given);
-
-/** How to read the scan. \throw UsageError */
-pcl_spiral::ReadOptions scanOptions(const boost::program_options::variables_map& given);
-
-/** --mesh, --crease-angle, --sample-spacing; --flip-normals of addCutterOptions turns a mesh over, too */
-void addMeshOptions(boost::program_options::options_description& options);
-
-/** Settings of the mesh; none without --mesh. \throw UsageError if an option does not fit the part */
-std::optional<MeshChoice> meshOptions(const boost::program_options::variables_map& given);
-
-/** Cutter, finish and --threads; the radius of the cutter is 0 if it is not given. \throw UsageError if values do not fit each
- * other */
-pcl_spiral::JudgeSettings cutterOptions(const boost::program_options::variables_map& given);
+/** Completes the cutter, and checks that the options fit each other. \throw UsageError */
+void completeJudging(JudgeOptions& job);
 
 /** \throw UsageError with \p message unless \p holds */
 void require(bool holds, const pcl_spiral::Diagnostic& message);

@@ -4,6 +4,15 @@
 #include "terminal/file_names.h"
 #include "terminal/terminal.h"
 
+Option
+stockOption(std::vector<std::string>& files)
+{
+  return {"stock", "FILE",
+          "the surface after cutting: a mesh, .ply with the height left at each vertex as stock, mm, negative for a gouge, or .stl; may be "
+          "given several times: --stock left.ply --stock left.stl",
+          [&files](const std::string& value) { files.push_back(value); }, true};
+}
+
 void
 checkStockFiles(const std::vector<std::string>& files)
 {

@@ -4,12 +4,13 @@
  */
 #pragma once
 
+#include "terminal/option_table.h"
+
 #include <string>
 #include <vector>
 
-constexpr const char* stock_help =
-    "the surface after cutting: a mesh, .ply with the height left at each vertex as stock, mm, negative for a gouge, or .stl; may be given "
-    "several times: --stock left.ply --stock left.stl";
+/** --stock */
+Option stockOption(std::vector<std::string>& files);
 
 /** \throw UsageError for another extension */
 void checkStockFiles(const std::vector<std::string>& files);

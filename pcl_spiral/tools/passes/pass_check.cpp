@@ -15,12 +15,6 @@
 using namespace pcl_spiral;
 
 bool
-isGiven(const PassJob& job, const std::string& option)
-{
-  return job.given.count(option) > 0;
-}
-
-bool
 isBall(const PassJob& job)
 {
   const CutterShape& c = job.cutter;

@@ -10,8 +10,6 @@
 #include <string>
 #include <vector>
 
-bool isGiven(const PassJob& job, const std::string& option);
-
 /** Whether the cutter is a ball: its tip follows from contact and normal. */
 bool isBall(const PassJob& job);
 

@@ -5,25 +5,21 @@
 #pragma once
 
 #include "program/program_job.h"
-#include "terminal/option_table.h"
 #include "terminal/part_options.h"
+#include "terminal/program_run.h"
 #include "terminal/scan_places.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/planning/pass_plan.h>
 
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 /** Settings that all such programs share: files, tool, machine, run. Lengths in mm, angles in degrees. */
-struct PassJob : pcl_spiral::PassSettings {
-  std::set<std::string> given; ///< names of the options that were set, here or in a job file
-  NamedValues options;         ///< those options with their values, for the report
-  std::string command;         ///< the call as typed
-  std::string scan;            ///< empty if there is none
-  std::string part;            ///< the file named in messages about the part
+struct PassJob : pcl_spiral::PassSettings, ProgramRun {
+  std::string scan; ///< empty if there is none
+  std::string part; ///< the file named in messages about the part
   std::vector<std::string> outputs;
   pcl_spiral::ReadOptions read = readFindingOrigin();
   std::optional<Eigen::Vector3d> view_point; ///< of --view-point
@@ -34,9 +30,4 @@ struct PassJob : pcl_spiral::PassSettings {
   double thinning = 0.0;     ///< voxel edge; 0: none
   double feed = 1000.0;      ///< mm/min
   ProgramJob program;
-  std::string config_file;
-  bool verbose = false;
-  bool quiet = false;
-  bool help = false;
-  bool version = false;
 };

@@ -3,8 +3,6 @@
 #include "program/holder_options.h"
 #include "terminal/cutter_shape.h"
 
-#include <pcl_spiral/common/impl/thread_limit.h>
-
 std::vector<Option>
 scanOptions(PassJob& job)
 {
@@ -21,28 +19,11 @@ scanOptions(PassJob& job)
                    job.thinning)};
 }
 
-Option
-configOption(PassJob& job)
-{
-  return textOption(
-      "config", "FILE",
-      "job file in YAML with these option names, or the .json report of a run, which is then made again; the command line has "
-      "priority: --config job.yaml",
-      job.config_file);
-}
-
 OptionGroup
 cutterOptions(PassJob& job, const std::string& need)
 {
-  OptionGroup group{
-      "Cutter (mm, degrees): tapered bull-nose and its special cases",
-      {numberOption("tool-radius", "R", "radius at the upper end of the flank; " + need + ": --tool-radius 6", job.cutter.radius),
-       numberOption("corner-radius", "r", corner_radius_help, job.cutter.corner_radius),
-       numberOption("flank-length", "L",
-                    "length of the cutting flank along its slant, without the tip: from the end of the corner to where the radius is R; "
-                    "default 0: --flank-length 20",
-                    job.cutter.flank_length),
-       numberOption("flank-angle", "A", flank_angle_help, job.cutter.flank_angle)}};
+  OptionGroup group{"Cutter (mm, degrees): tapered bull-nose and its special cases",
+                    cutterShapeOptions("radius at the upper end of the flank; " + need + ": --tool-radius 6", job.cutter)};
   addOptions(group, holderOptions(job.holder, job.holder_clearance));
   addOptions(group, {numberOption("feed", "F", "feed at the contact, mm/min; default 1000: --feed 2500", job.feed)});
   return group;
@@ -59,9 +40,7 @@ motionOptions(PassJob& job)
 OptionGroup
 runOptions(PassJob& job)
 {
-  OptionGroup group{"Run", {}};
-  addSettings(group, {pcl_spiral::threadsSetting(job.threads)});
-  addOptions(group, {switchOption("verbose", "print more", job.verbose), switchOption("quiet", "print only errors", job.quiet),
-                     switchOption("help", "print this text", job.help), switchOption("version", "print the version", job.version)});
+  OptionGroup group = runOptions(job, job.threads);
+  addOptions(group, {switchOption("verbose", "print more", job.verbose)});
   return group;
 }

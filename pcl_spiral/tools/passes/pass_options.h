@@ -12,9 +12,9 @@
 
 /** Options that select the points of a scan. */
 std::vector<Option> scanOptions(PassJob& job);
-Option configOption(PassJob& job);
 /** Cutter and holder. \p need: help text that explains what happens without the tool's radius. */
 OptionGroup cutterOptions(PassJob& job, const std::string& need);
 /** Locations, moves and axes of a cutter or a beam. */
 OptionGroup motionOptions(PassJob& job);
+/** How the program runs, and --verbose. */
 OptionGroup runOptions(PassJob& job);

@@ -4,10 +4,15 @@
  */
 #pragma once
 
+#include "option_table.h"
+
 #include <pcl_spiral/core/cutter_profile.h>
 
-constexpr const char* corner_radius_help = "corner radius; default the largest possible, a ball: --corner-radius 1";
-constexpr const char* flank_angle_help = "angle between flank and axis; default 0: --flank-angle 5";
+#include <string>
+#include <vector>
+
+/** The four options; \p radius_help of the first. */
+std::vector<Option> cutterShapeOptions(const std::string& radius_help, pcl_spiral::CutterShape& cutter);
 
 /** Without a corner radius the cutter becomes a ball, or a tapered ball. \throw UsageError for an impossible cutter */
 void completeCutter(bool corner_given, pcl_spiral::CutterShape& cutter);

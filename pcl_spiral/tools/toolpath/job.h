@@ -5,7 +5,7 @@
 #pragma once
 
 #include "program/program_job.h"
-#include "terminal/option_table.h"
+#include "terminal/program_run.h"
 #include "terminal/region_choice.h"
 #include "terminal/scan_places.h"
 #include <pcl_spiral/verify/verification.h>
@@ -14,18 +14,13 @@
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 
-#include <set>
 #include <string>
 #include <vector>
 
 /** The user's settings for one run. */
-struct Job {
-  std::set<std::string> given; ///< names of the options that were set, here or in a job file
-  NamedValues options;         ///< those options with their values, for the report
-  std::string command;         ///< the call as typed
+struct Job : ProgramRun {
   std::string scan;
   std::string raw_scan; ///< before it was smoothed; empty: not given
-  std::string config_file;
   std::vector<std::string> outputs;
   std::string reach;              ///< file for the map of the largest balls that reach the points; empty: none
   std::vector<std::string> stock; ///< files for the surface after cutting; with verify
@@ -41,8 +36,4 @@ struct Job {
   double sample_spacing = 0.0; ///< of the samples of the mesh, mm; 0: found from the mesh
   bool verify = false;         ///< check the path against the scan or the mesh
   pcl_spiral::Limits limits;   ///< of the check
-  bool verbose = false;
-  bool quiet = false;
-  bool help = false;
-  bool version = false;
 };

@@ -6,8 +6,6 @@
 #include "terminal/read_options.h"
 #include "terminal/scan_places.h"
 
-#include <pcl_spiral/common/impl/thread_limit.h>
-
 using pcl_spiral::SpiralSettings;
 
 namespace {
@@ -42,6 +40,19 @@ setRim(double& overhang, const std::string& value)
   overhang = beyond ? distance : -distance;
 }
 
+/** --stock, which checks the path. */
+Option
+checkedStock(Job& job)
+{
+  Option option = stockOption(job.stock);
+  option.help += "; checks the path, as --verify does";
+  option.set = [set = option.set, &job](const std::string& value) {
+    set(value);
+    job.verify = true;
+  };
+  return option;
+}
+
 OptionGroup
 files(Job& job)
 {
@@ -63,16 +74,9 @@ files(Job& job)
                   "map of the largest ball that reaches each point of the scan, up to four tool radii: .csv .pcd .ply with x, y, z and "
                   "radius, or a picture, .png: --reach reach.png",
                   job.reach),
-       {"stock", "FILE", stock_help + std::string("; checks the path, as --verify does"),
-        [&job](const std::string& value) {
-          job.stock.push_back(value);
-          job.verify = true;
-        }},
+       checkedStock(job),
        textOption("raw-scan", "FILE", raw_scan_help, job.raw_scan),
-       textOption("config", "FILE",
-                  "job file in YAML with these option names (tool-radius: 10), or the .json report of a run, which is then made "
-                  "again; the command line has priority: --config job.yaml",
-                  job.config_file)}};
+       configOption(job)}};
   addOptions(group, readOptions(job.read));
   return group;
 }
@@ -122,34 +126,30 @@ surface(Job& job)
   return group;
 }
 
-/** A limit of the check, which is then made; \p what it limits. */
-Option
-limitOption(const std::string& name, const std::string& argument, const std::string& what, bool& verify, std::optional<double>& limit)
+/** The limits of the check, which is then made. */
+std::vector<Option>
+limitOptions(Job& job)
 {
-  return {name, argument, "check the path, and write nothing if this is exceeded: " + what,
-          [name, &verify, &limit](const std::string& value) {
-            limit = numberValue(name, value);
-            if (!(*limit >= 0.0))
-              throw UsageError(pcl_spiral::Diagnostic("--", name, " ", value, ": give 0 or more"));
-            verify = true;
-          }};
+  OptionGroup limits;
+  addSettings(limits, settingTable(job.limits));
+  for (Option& option : limits.options) {
+    option.help = "check the path, and write nothing if this is exceeded: " + option.help;
+    option.set = [set = option.set, &job](const std::string& value) {
+      set(value);
+      job.verify = true;
+    };
+  }
+  return limits.options;
 }
 
 OptionGroup
 running(Job& job)
 {
-  OptionGroup group{"Run", {}};
-  addSettings(group, {pcl_spiral::threadsSetting(job.settings.threads)});
-  addOptions(
-      group,
-      {switchOption("verify", "check the path against the scan or mesh: deviation, scallop, gouge; about doubles the time", job.verify),
-       limitOption("max-gouge", "G", "depth of gouges, mm: --max-gouge 0.01", job.verify, job.limits.gouge),
-       limitOption("max-scallop", "S", "height of ridges and of stock at the rim, mm: --max-scallop 0.06", job.verify, job.limits.scallop),
-       limitOption("max-deviation", "D", "distance of the contacts from the surface, mm: --max-deviation 0.02", job.verify,
-                   job.limits.deviation),
-       limitOption("max-uncut", "P", "points of the surface that are not cut, percent: --max-uncut 0", job.verify, job.limits.uncut),
-       switchOption("verbose", "print more: the time of each stage", job.verbose), switchOption("quiet", "print only errors", job.quiet),
-       switchOption("help", "print this text", job.help), switchOption("version", "print the version", job.version)});
+  OptionGroup group = runOptions(job, job.settings.threads);
+  addOptions(group, {switchOption("verify", "check the path against the scan or mesh: deviation, scallop, gouge; about doubles the time",
+                                  job.verify),
+                     switchOption("verbose", "print more: the time of each stage", job.verbose)});
+  addOptions(group, limitOptions(job));
   return group;
 }
 

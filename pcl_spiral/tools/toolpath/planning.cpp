@@ -8,7 +8,7 @@
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
 
-#include "judging/judged_part.h"
+#include "judging/raw_scan_option.h"
 #include "planning/joined_plan.h"
 #include "planning/plan_regions.h"
 #include <pcl_spiral/collision/impl/way_check.h>

@@ -33,13 +33,16 @@ VerifyOutputs::VerifyOutputs(const VerifyJob& job) : job_(job), files_(filesOf(j
 }
 
 void
-VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, const JudgedPath& judged)
+VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const JudgedPath& judged, const std::vector<double>& feed)
 {
-  if (const ReferenceMesh* mesh = surface.mesh())
-    mesh_ = JudgedMesh{part.mesh->counts(), part.mesh->settings(), mesh->faceCount(), mesh->spacing()};
+  const ReferenceSurface& surface = *part.reference;
+  if (const ReferenceMesh* mesh = surface.mesh()) {
+    const SurfaceMesh& faces = *input.settings.mesh;
+    mesh_ = JudgedMesh{faces.counts(), faces.settings(), mesh->faceCount(), mesh->spacing()};
+  }
   const bool report = writes(job_, ".html");
   if (report || writes(job_, ".png")) {
-    const VerificationScene scene = judgedScene(part.cloud, judged.path, job_.settings, surface, judged.verification, judged.heights);
+    const VerificationScene scene = judgedScene(part.cloud, judged.path, input.settings, surface, judged.verification, judged.heights);
     if (report)
       pictures_.drawPath(scene.part, false);
     pictures_.drawJudging(scene);
@@ -49,7 +52,7 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
   for (std::size_t i = 0; i < files_.size(); ++i)
     if (extensionOf(files_.path(i)) == ".vtp")
       writeToolpath(files_.temporary(i), *judged.path, {job_.settings.cutter.radius, 0.0, judged.tips, {}, scanShift()},
-                    {judged.feed, judged.heights.deviation, judged.heights.scallop});
+                    {feed, judged.heights.deviation, judged.heights.scallop});
   if (!job_.stock.empty()) {
     const StockMesh left = stockMesh(surface, judged.heights.stock);
     for (std::size_t i = 0; i < job_.stock.size(); ++i)
@@ -59,14 +62,11 @@ VerifyOutputs::take(const JudgedPart& part, const ReferenceSurface& surface, con
 }
 
 void
-VerifyOutputs::finish(const std::vector<JudgedPart>& parts)
+VerifyOutputs::finish(const Diagnostics& warnings)
 try {
-  Diagnostics warnings;
-  for (const JudgedPart& part : parts)
-    warnings.insert(warnings.end(), part.warnings.begin(), part.warnings.end());
   const VerificationRun run{
-      job_.scan, job_.read.unit, job_.settings.cutter, job_.settings.scallop_height, job_.settings.chord_error, warnings, job_.limits,
-      mesh_,     scanShift(),    programWords()};
+      job_.scan(), job_.read.unit, job_.settings.cutter, job_.settings.scallop_height, job_.settings.chord_error, warnings, job_.limits,
+      mesh_,       scanShift(),    programWords()};
   const std::string title = std::filesystem::path(job_.paths.front()).filename().string() + (job_.paths.size() > 1 ? " and others" : "");
   std::size_t i = 0;
   for (const std::string& output : job_.outputs) {

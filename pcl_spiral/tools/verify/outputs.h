@@ -4,21 +4,11 @@
  */
 #pragma once
 
-#include "judging/judged_part.h"
 #include "verify_job.h"
 
 #include "io/output_files.h"
 #include "io/report/verification_writer.h"
-#include <pcl_spiral/io/toolpath_reader.h>
-
-/** A path and its judgement. */
-struct JudgedPath {
-  pcl::PointCloud<pcl_spiral::ToolpathPoint>::Ptr path = pcl::make_shared<pcl::PointCloud<pcl_spiral::ToolpathPoint>>();
-  std::vector<double> feed;  ///< mm/min; empty if its file has none
-  pcl_spiral::Polyline tips; ///< of a cutter that is no ball; empty: from its contacts
-  pcl_spiral::Verification verification;
-  pcl_spiral::Heights heights;
-};
+#include <pcl_spiral/planning/impl/path_judge.h>
 
 /** Collects the results of each path, then writes the files. */
 class VerifyOutputs {
@@ -27,10 +17,11 @@ public:
    *  \throw pcl_spiral::FileError */
   explicit VerifyOutputs(const VerifyJob& job);
 
-  /** Draws the pictures and writes the .vtp file of a path, if they were asked for. */
-  void take(const JudgedPart& part, const pcl_spiral::ReferenceSurface& surface, const JudgedPath& judged);
-  /** Writes the other files and moves all files to their places. \throw pcl_spiral::FileError, Cancelled */
-  void finish(const std::vector<JudgedPart>& parts);
+  /** Draws the pictures and writes the .vtp file of a path, if they were asked for. \p feed: of the points, mm/min; empty: not known. */
+  void take(const pcl_spiral::JudgedInput& input, const pcl_spiral::JudgedPart& part, const pcl_spiral::JudgedPath& judged,
+            const std::vector<double>& feed);
+  /** Writes the other files and moves all files to their places. \p warnings: of the scan. \throw pcl_spiral::FileError, Cancelled */
+  void finish(const pcl_spiral::Diagnostics& warnings);
 
 private:
   const VerifyJob& job_;

@@ -6,36 +6,26 @@
 
 #include "judging/judge_options.h"
 #include "report/picture_files.h"
-#include "terminal/region_choice.h"
-#include <pcl_spiral/planning/impl/path_judging.h>
 
-#include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/verify/verification.h>
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 /** The user's settings for one run. */
-struct VerifyJob {
-  std::string command; ///< the call as typed
-  std::string scan;
-  std::string raw_scan; ///< before it was smoothed; empty: not given
-  std::vector<std::string> paths;
-  std::vector<std::string> outputs; ///< .json .html .png .vtp
-  std::vector<std::string> stock;   ///< files for the surface after cutting: .ply .stl
-  pcl_spiral::ReadOptions read;
-  std::optional<MeshChoice> mesh;             ///< absent: the first file is a scan
-  PartOptions part;                           ///< of the scan
-  RegionChoice regions;                       ///< of the scan
+struct VerifyJob : JudgeOptions {
+  std::string raw_scan;                       ///< before it was smoothed; empty: not given
+  std::vector<std::string> paths;             ///< those of the files
+  std::vector<std::string> outputs;           ///< .json .html .png .vtp
+  std::vector<std::string> stock;             ///< files for the surface after cutting: .ply .stl
   std::string machine_file;                   ///< of programs; empty: none
   std::optional<pcl_spiral::Dialect> dialect; ///< of .nc programs; absent: found from their words
-  pcl_spiral::JudgeSettings settings;
   pcl_spiral::Limits limits;
-  bool quiet = false;
-  bool help = false;
-  bool version = false;
+
+  const std::string& scan() const { return files.front(); } ///< The scan or the mesh.
 };
 
 /** \throw UsageError */
@@ -46,5 +36,8 @@ const std::vector<PictureName>& verifyPictures();
 
 /** Every file that the job writes: the outputs, with the pictures beside each NAME.png, then those of the stock. */
 std::vector<std::string> filesOf(const VerifyJob& job);
+
+/** Whether \p file is a program, by its extension: .ngc .nc .mpf .h .apt .cls */
+bool isProgramFile(const std::string& file);
 
 void printVerifyHelp(std::ostream& out);

@@ -5,6 +5,7 @@
 #include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/planning/drive_planner.h>
+#include <pcl_spiral/planning/path_verifier.h>
 #include <pcl_spiral/planning/spiral_planner.h>
 #include <pcl_spiral/ridge/ridge_toolpath.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
@@ -98,6 +99,8 @@ TEST(settings, everyEntryIsWhole)
   expectWhole(RidgeSettings());
   expectWhole(RidgeRowSettings());
   expectWhole(ProgramSettings());
+  expectWhole(JudgeSettings());
+  expectWhole(Limits());
 }
 
 TEST(settings, rangesInWords)
@@ -420,9 +423,8 @@ valuesOf(Setting setting)
   }
   setting.example.clear();
   const std::string must = "must be ";
-  return numberOf(setting)                               ? ruleOf(setting).text().substr(must.size())
-         : std::holds_alternative<bool*>(setting.target) ? "yes, no"
-                                                         : "X,Y,Z";
+  const bool is_number = numberOf(setting) || std::holds_alternative<std::optional<double>*>(setting.target);
+  return is_number ? ruleOf(setting).text().substr(must.size()) : std::holds_alternative<bool*>(setting.target) ? "yes, no" : "X,Y,Z";
 }
 
 /** A setting as a row of doc/settings.md. */
@@ -449,6 +451,29 @@ tableOf(const char* heading, const char* what, Settings settings)
   return text;
 }
 
+TEST(settings, aJudgeTakesNoNumberOutOfItsRange)
+{
+  PathVerifier<Point> verifier;
+  verifier.setInputCloud(pcl::make_shared<pcl::PointCloud<Point>>(3, 1));
+  verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(2, 1));
+  verifier.setCutter(CutterShape::ball(3.0));
+  const auto said = [&] {
+    Verification found;
+    verifier.compute(found);
+    return verifier.getStatus().message();
+  };
+  Limits limits;
+  limits.gouge = -0.1;
+  verifier.setLimits(limits);
+  EXPECT_EQ(said(), "the limit on gouges is -0.1 mm: it must be 0 mm or more, such as 0.01 (Limits::gouge)");
+  verifier.setLimits({});
+  verifier.setChordError(0.0);
+  EXPECT_EQ(said(), "the chord error is 0 mm: it must be above 0 mm, such as 0.002 (setChordError)");
+  verifier.setChordError(0.005);
+  verifier.setSampleSpacing(-1.0);
+  EXPECT_NE(said().find("the sample spacing is -1 mm"), std::string::npos);
+}
+
 TEST(settings, thePageHasTheTables)
 {
   const std::string tables =
@@ -459,7 +484,10 @@ TEST(settings, thePageHasTheTables)
       tableOf("Rows over a ridge", "`RidgeRowSettings`: `RidgeToolpath`, `RidgePlanner`, `pcl_spiral_ridge`.", RidgeRowSettings()) +
       tableOf("Mesh", "`MeshSettings`: `SurfaceMesh`, `pcl_spiral_drive --mesh`.", MeshSettings()) +
       tableOf("Program", "`ProgramSettings`: `MachineProgramGenerator`, `ProgramPlanner`, all programs that write machine programs.",
-              ProgramSettings());
+              ProgramSettings()) +
+      tableOf("Judge", "`PathVerifier`, `pcl_spiral_verify`, `pcl_spiral_view`; as C++ calls them, setters of `PathVerifier`.",
+              JudgeSettings()) +
+      tableOf("Limits", "`Limits`: `PathVerifier`, `pcl_spiral_verify`, `pcl_spiral_toolpath --verify`.", Limits());
   std::ifstream file(PCL_SPIRAL_MACHINES_DIR "/../../pcl_spiral/doc/settings.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   const std::size_t first = page.find("\n## ");

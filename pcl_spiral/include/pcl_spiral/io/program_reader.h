@@ -5,29 +5,12 @@
 #pragma once
 
 #include <pcl_spiral/io/program_writer.h>
-#include <pcl_spiral/machine/machine_program.h>
+#include <pcl_spiral/machine/program_file.h>
 
-#include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace pcl_spiral {
-
-/** A program as the control runs it. */
-struct ProgramFile {
-  /** Its moves. Each block has tip, axis, angles and machine position. Feed moves are BlockSection::Cut, or Link
-   *  between the marks of a link; the others are BlockSection::Position.
-   *  normal is the axis, and arc_length is that of the tip: the text says no more. The first block is the first place at which all axes
-   *  are known; the way to it is not. */
-  MachineProgram program;
-  std::vector<std::size_t> lines; ///< line of the text of each block, from 1
-  std::size_t still_line = 0;     ///< line of the first feed move with the spindle off (neither M3 nor M4 with an S); 0: none
-  std::string language;           ///< word of its entry in dialect_entries, or "apt"
-  bool by_vectors = false; ///< tool axes are vectors: the angles are those nearest to the ones before, and the control may choose others
-  bool axis_arcs = false;  ///< the tool axis moves along arcs from block to block (ORIVECT, APT without machine); false: the rotary axes
-                           ///< move evenly
-};
 
 /** Reads a program back from its text: G-code and Klartext as writeProgram makes them, and other programs of straight moves; APT (.apt,
  *  .cls). A .ngc is for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain. The language of a .nc is found from its words. \p dialect

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/common/tool_tip.h>
 
 #include <pcl/point_cloud.h>
 
@@ -32,15 +32,6 @@ struct PathValues {
   std::vector<float> deviation; ///< mm, positive out of the material; NaN: not measured
   std::vector<float> scallop;   ///< height of the ridge next to the point, mm; NaN: not measured
 };
-
-/** Tip of a ball cutter that touches at \p point: contact + radius (normal - axis), mm. */
-inline Eigen::Vector3d
-toolTip(const ToolpathPoint& point, double tool_radius)
-{
-  const Eigen::Vector3d normal = point.getNormalVector3fMap().cast<double>();
-  const Eigen::Vector3d axis = point.getAxisVector3fMap().cast<double>();
-  return point.getVector3fMap().cast<double>() + tool_radius * (normal - axis);
-}
 
 /** First line of a toolpath CSV. */
 extern const char* const toolpath_csv_header;

@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Judges a finished path by the scan, or by the mesh, that it is meant for.
+ *  Judges a finished path or program by the scan, or by the mesh, that it is meant for.
  */
 #pragma once
 
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/mesh/impl/mesh_input.h>
-#include <pcl_spiral/planning/impl/path_judging.h>
+#include <pcl_spiral/planning/impl/path_judge.h>
 #include <pcl_spiral/planning/part_input.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace pcl_spiral {
 
-/** Judges a path as pcl_spiral_verify does: deviation of its contacts (DeviationEstimation), what its cutter leaves and cuts
- *  (MaterialRemoval), limits, and what it meets beside the part: keep-outs, what stands in them, the rest of the scan, clusters.
+/** Judges a path or a program as pcl_spiral_verify does: deviation of its contacts (DeviationEstimation), what its cutter leaves and cuts
+ *  (MaterialRemoval), limits, and what it meets beside the part: keep-outs, what stands in them, the rest of the scan, clusters. Of a
+ *  program, what the control will do is judged: its moves between the blocks, its axes' limits, and what the tool meets on moves that do
+ *  not cut.
  *
- *  Takes the whole scan and the same choice of the part as the planner that made the path, whose report it does not use. A path of several
- *  regions is judged region by region: addRegion takes one, and the path its passes. Lengths in mm.
+ *  Takes the whole scan and the same choice of the part as the planner that made the path, whose report it does not use. With several
+ *  regions (addRegion) each pass belongs to the region that it is nearest to, and there is a verification of each. Lengths in mm.
  *  \code
  *  PathVerifier<pcl::PointXYZ> verifier;
  *  verifier.setInputCloud(scan);
@@ -39,16 +45,21 @@ public:
   using CloudConstPtr = typename pcl::PointCloud<pcl::PointXYZ>::ConstPtr; ///< The raw scan, shared.
 
   /** Clusters are to be ridden over by default: a path is judged in any case. */
-  PathVerifier()
-  {
-    this->setClusterHandling(ClusterHandling::Ride);
-    judge_.scallop_height = 0.05;
-    judge_.chord_error = 0.005;
-  }
+  PathVerifier() { this->setClusterHandling(ClusterHandling::Ride); }
 
-  /** The path. */
-  void setInputToolpath(const PathConstPtr& path) { path_ = path; }
-  const PathConstPtr& getInputToolpath() const { return path_; } ///< The value of setInputToolpath.
+  /** The path: contacts. Takes back setInputProgram. */
+  void setInputToolpath(const PathConstPtr& path)
+  {
+    given_.path = path;
+    given_.program.reset();
+  }
+  const PathConstPtr& getInputToolpath() const { return given_.path; } ///< The value of setInputToolpath.
+  /** A program that was read back (readProgram), judged in place of a path. It needs a scan: the cutter's contacts are found on it. */
+  void setInputProgram(const ProgramFile& program) { given_.program = program; }
+  const std::optional<ProgramFile>& getInputProgram() const { return given_.program; } ///< The value of setInputProgram.
+  /** Whether the path has contacts, the default. Without them it has tips (setInputTips) and axes, and contacts are found on the scan. */
+  void setHasContacts(bool has_contacts) { given_.has_contacts = has_contacts; }
+  bool getHasContacts() const { return given_.has_contacts; } ///< The value of setHasContacts.
   /** How a mesh that is given as polygons (setInputMesh) is prepared. A mesh is judged by in place of the scan; settings, crops, keep-outs
    *  and regions that belong to scans are refused with it. */
   void setMeshSettings(const MeshSettings& settings) { mesh_settings_ = settings; }
@@ -56,9 +67,10 @@ public:
   /** Distance of the samples of the mesh, mm; 0, the default: from its curvature. */
   void setSampleSpacing(double spacing) { judge_.sample_spacing = spacing; }
   double getSampleSpacing() const { return judge_.sample_spacing; } ///< The value of setSampleSpacing.
-  /** Tips of a cutter that is no ball, one for each point; empty, the default: those of a ball at its contacts. */
-  void setInputTips(const Polyline& tips) { judge_.tips = tips; }
-  const Polyline& getInputTips() const { return judge_.tips; } ///< The value of setInputTips.
+  /** Tips of the cutter as they stand in a file, one for each point; empty, the default: those of a ball at its contacts. Those of a cutter
+   *  that is no ball are judged, those of a ball compared with its contacts (Verification::tips_off). */
+  void setInputTips(const Polyline& tips) { given_.tips = tips; }
+  const Polyline& getInputTips() const { return given_.tips; } ///< The value of setInputTips.
   /** The scan before it was smoothed: the path must not cut into it either. Null, the default: there is none. */
   void setRawScan(const CloudConstPtr& raw) { raw_ = raw; }
   const CloudConstPtr& getRawScan() const { return raw_; } ///< The value of setRawScan.
@@ -79,32 +91,53 @@ public:
   /** Called with the share done; return false to cancel. */
   void setProgressCallback(ProgressCallback callback) { progress_ = std::move(callback); }
 
-  /** Judges the path. \p verification has no figures on failure; see getStatus. */
+  /** Judges the path by one region, or by all of the part. \p verification has no figures on failure; see getStatus. */
   void compute(Verification& verification)
   {
-    verification = Verification();
-    heights_ = Heights();
-    reference_.reset();
-    Verification found;
-    Heights heights;
-    std::shared_ptr<const ReferenceSurface> reference;
-    if (!this->computeBy("PathVerifier", [&] { return run(reference, found, heights); }))
-      return;
-    verification = std::move(found);
-    heights_ = std::move(heights);
-    reference_ = std::move(reference);
+    std::vector<Verification> found;
+    judgeRegions(1, found);
+    verification = found.empty() ? Verification() : std::move(found.front());
   }
 
-  const Heights& getHeights() const { return heights_; } ///< Values behind the figures, for pictures and maps.
-  /** The surface that the last path was judged by; null if it was not. */
-  const std::shared_ptr<const ReferenceSurface>& getReferenceSurface() const { return reference_; }
+  /** Judges the path by each region; \p verifications are in their order, empty on failure. */
+  void compute(std::vector<Verification>& verifications) { judgeRegions(this->regions_.size(), verifications); }
+
+  /** Values behind the figures of \p region, for pictures and maps. */
+  const Heights& getHeights(std::size_t region = 0) const { return region < judged_.size() ? judged_[region].heights : nothing_.heights; }
+  /** The contacts that were judged over \p region: those of the path, or of the cutter on the moves of a program. */
+  PathConstPtr getJudgedPath(std::size_t region = 0) const { return region < judged_.size() ? judged_[region].path : nothing_.path; }
+  /** The surface of \p region that the last path was judged by; null if it was not. */
+  std::shared_ptr<const ReferenceSurface> getReferenceSurface(std::size_t region = 0) const
+  {
+    return region < references_.size() ? references_[region] : nullptr;
+  }
 
 private:
-  Status run(std::shared_ptr<const ReferenceSurface>& reference, Verification& verification, Heights& heights)
+  void judgeRegions(std::size_t most_regions, std::vector<Verification>& verifications)
+  {
+    verifications.clear();
+    judged_.clear();
+    references_.clear();
+    PathJudge judge;
+    std::vector<JudgedPath> judged;
+    if (!this->computeBy("PathVerifier", [&] { return run(most_regions, judge, judged); }))
+      return;
+    judged_ = std::move(judged);
+    for (const JudgedPart& part : judge.parts())
+      references_.push_back(part.reference);
+    for (const JudgedPath& path : judged_)
+      verifications.push_back(path.verification);
+  }
+
+  Status run(std::size_t most_regions, PathJudge& judge, std::vector<JudgedPath>& judged)
   {
     if (this->given_surface_)
       return {StatusCode::InvalidArgument, "{setInputSurface} was called, but the whole scan is needed, which tells what stands beside the "
                                            "part: give the {cloud} ({setInputCloud}), or use {DeviationEstimation} and {MaterialRemoval}"};
+    if (this->regions_.size() > std::max<std::size_t>(most_regions, 1))
+      return {StatusCode::InvalidArgument,
+              Diagnostic(this->regions_.size(), " regions are given ({addRegion}), and each has a verification "
+                                                "of its own: call compute with a vector of them")};
     if (const Status status = checkThreads(this->getNumberOfThreads()); !status.ok())
       return status;
     const ThreadLimit limit(this->getNumberOfThreads());
@@ -127,21 +160,21 @@ private:
     input.surface = this->surfaceSettings();
     input.choice = this->choice();
     input.regions = this->regions_;
-    input.path = path_;
     input.raw = raw_;
     input.limits = limits_;
     input.progress = progress_;
-    return verifyPath(input, reference, verification, heights);
+    return verifyPath(input, given_, judge, judged);
   }
 
-  PathConstPtr path_;
+  GivenPath given_;
   CloudConstPtr raw_;
   Limits limits_;
   JudgeSettings judge_;
   MeshSettings mesh_settings_;
   ProgressCallback progress_;
-  Heights heights_;
-  std::shared_ptr<const ReferenceSurface> reference_;
+  const JudgedPath nothing_;
+  std::vector<JudgedPath> judged_; ///< one a region
+  std::vector<std::shared_ptr<const ReferenceSurface>> references_;
 };
 
 } // namespace pcl_spiral

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/verify/figures.h>
 
@@ -23,6 +24,9 @@ struct Limits {
 
   bool any() const { return gouge || scallop || deviation || uncut; } ///< Whether there is a limit.
 };
+
+/** All of them. */
+std::vector<Setting> settingTable(Limits& limits);
 
 /** What is known of a machine program apart from its path. */
 struct ProgramFigures {

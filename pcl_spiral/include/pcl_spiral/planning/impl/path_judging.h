@@ -7,7 +7,8 @@
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/planning/part_choice.h>
+#include <pcl_spiral/core/prism.h>
+#include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/verify/deviation_estimation.h>
 #include <pcl_spiral/verify/raw_scan.h>
 #include <pcl_spiral/verify/verification.h>
@@ -25,7 +26,8 @@ namespace pcl_spiral {
 struct JudgeSettings {
   CutterShape cutter;                             ///< radius 0: not given
   Polyline tips;                                  ///< of the path, one per point; empty: from its contacts
-  double scallop_height = 0.0, chord_error = 0.0; ///< mm
+  double scallop_height = 0.05;                   ///< that the path was made for, mm
+  double chord_error = 0.005;                     ///< that the path was made for, mm
   pcl::PointCloud<pcl::Normal>::ConstPtr normals; ///< of the scan, one for each point; null: none
   std::optional<Eigen::Vector3d> view_point;      ///< of the scanner
   bool trust_normals = false;                     ///< see SurfaceSettings
@@ -38,6 +40,9 @@ struct JudgeSettings {
   std::optional<Eigen::Vector3d> part_at;           ///< of several separate parts judge by the one nearest to this place
   ClusterHandling clusters = ClusterHandling::Ride; ///< what clusters of points on the part are
 };
+
+/** Scallop height, chord error and sample spacing; the others are of the surface, see SurfaceSettings, or no values. */
+std::vector<Setting> settingTable(JudgeSettings& settings);
 
 /** Values behind the figures, mm; see DeviationEstimation and MaterialRemoval. */
 struct Heights {
@@ -88,24 +93,5 @@ void addVerdicts(const Limits& limits, const JudgedSurroundings& around, const R
 
 /** Compares the \p raw scan with the \p smoothed surface; InvalidInput if most of its points are not near. */
 Status compareRawScan(const pcl::PointCloud<pcl::PointXYZ>& raw, const Surface& smoothed, RawScanFigures& figures);
-
-/** What is judged. Either a scan or a mesh is given, by settings. */
-struct JudgedInput {
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud; ///< the whole scan
-  pcl::PointCloud<pcl::Normal>::ConstPtr normals; ///< one for each point; null: none
-  pcl::IndicesPtr indices;                        ///< points of the part; null: all
-  SurfaceSettings surface;                        ///< of the scan
-  PartChoice choice;                              ///< without its region
-  std::vector<PlanRegion> regions;                ///< one at most
-  pcl::PointCloud<ToolpathPoint>::ConstPtr path;  ///< to be judged
-  pcl::PointCloud<pcl::PointXYZ>::ConstPtr raw;   ///< the scan before it was smoothed; null: none
-  Limits limits;                                  ///< that the path must keep
-  JudgeSettings settings;                         ///< cutter, tips, heights and mesh
-  ProgressCallback progress;                      ///< may be empty
-};
-
-/** Judges a path by the part of a scan, or by a mesh, with verdicts. */
-Status verifyPath(const JudgedInput& input, std::shared_ptr<const ReferenceSurface>& reference, Verification& verification,
-                  Heights& heights);
 
 } // namespace pcl_spiral

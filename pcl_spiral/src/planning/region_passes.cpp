@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "region_passes.h"
+#include "planning/region_passes.h"
 
 #include "verify/program_path.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/verify/impl/reference_surface.h>
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
-using namespace pcl_spiral;
-
+namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t most_places = 1000; // of a pass that are looked at
+constexpr std::size_t most_voters = 1000; // of a pass that are looked at
 
 /** Feed moves between rapids or links: the block before the first, and the last. */
 struct FeedRun {
@@ -34,12 +35,13 @@ feedRuns(const MachineProgram& program)
 
 } // namespace
 
-RegionPasses::RegionPasses(const std::vector<std::shared_ptr<const ReferenceSurface>>& references)
+RegionPasses::RegionPasses(const std::vector<JudgedPart>& parts)
 {
-  for (const auto& reference : references) {
+  for (const JudgedPart& part : parts) {
+    const Surface& surface = part.reference->scanned();
     std::vector<Eigen::Vector3f> points;
-    for (std::size_t i = 0; i < reference->scanned().size(); ++i)
-      points.push_back(reference->scanned().position(i).cast<float>());
+    for (std::size_t i = 0; i < surface.size(); ++i)
+      points.push_back(surface.position(i).cast<float>());
     points_.push_back(std::make_unique<PointBlocks>(std::move(points)));
   }
 }
@@ -48,7 +50,7 @@ std::size_t
 RegionPasses::regionOf(const std::vector<Eigen::Vector3d>& places) const
 {
   std::vector<std::size_t> votes(points_.size(), 0);
-  const std::size_t step = places.size() / most_places + 1;
+  const std::size_t step = places.size() / most_voters + 1;
   for (std::size_t i = 0; i < places.size(); i += step) {
     double least = std::numeric_limits<double>::max();
     std::size_t nearest = 0;
@@ -64,31 +66,23 @@ RegionPasses::regionOf(const std::vector<Eigen::Vector3d>& places) const
   return static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
-ToolpathFile
-RegionPasses::of(std::size_t region, const ToolpathFile& file) const
+std::vector<std::size_t>
+RegionPasses::pointsOf(std::size_t region, const pcl::PointCloud<ToolpathPoint>& path) const
 {
-  ToolpathFile own;
-  for (const PassRange& pass : passRanges(passBegins(file.path), file.path.size())) {
+  std::vector<std::size_t> own;
+  for (const PassRange& pass : passRanges(passBegins(path), path.size())) {
     std::vector<Eigen::Vector3d> places;
     for (std::size_t i = pass.begin; i < pass.end; ++i)
-      places.push_back(file.path[i].getVector3fMap().cast<double>());
-    if (regionOf(places) != region)
-      continue;
-    const double gap = own.path.empty() ? 0.0 : own.path.back().arc_length - file.path[pass.begin].arc_length;
-    for (std::size_t i = pass.begin; i < pass.end; ++i) {
-      own.path.push_back(file.path[i]);
-      own.path.back().arc_length += gap; // none is added on the way from pass to pass
-      if (!file.feed.empty())
-        own.feed.push_back(file.feed[i]);
-      if (!file.tips.empty())
-        own.tips.push_back(file.tips[i]);
-    }
+      places.push_back(path[i].getVector3fMap().cast<double>());
+    if (regionOf(places) == region)
+      for (std::size_t i = pass.begin; i < pass.end; ++i)
+        own.push_back(i);
   }
   return own;
 }
 
 std::vector<std::size_t>
-RegionPasses::of(std::size_t region, const MachineProgram& program) const
+RegionPasses::blocksOf(std::size_t region, const MachineProgram& program) const
 {
   std::vector<std::size_t> blocks;
   for (const FeedRun& run : feedRuns(program)) {
@@ -101,3 +95,5 @@ RegionPasses::of(std::size_t region, const MachineProgram& program) const
   }
   return blocks;
 }
+
+} // namespace pcl_spiral
