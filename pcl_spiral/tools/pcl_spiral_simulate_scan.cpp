@@ -4,9 +4,9 @@
 #include "simulate_scan/ridge_scan.h"
 #include "terminal/file_names.h"
 
-#include "io/output_files.h"
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/output_files.h>
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/io/ply_io.h>

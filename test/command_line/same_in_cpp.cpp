@@ -7,6 +7,9 @@
 #include <pcl_spiral/io/polygon_reader.h>
 #include <pcl_spiral/io/program_reader.h>
 #include <pcl_spiral/io/program_writer.h>
+#include <pcl_spiral/io/reach_map_writer.h>
+#include <pcl_spiral/io/report_writer.h>
+#include <pcl_spiral/io/stock_writer.h>
 #include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 #include <pcl_spiral/planning/drive_planner.h>
@@ -335,6 +338,53 @@ TEST_F(SameInCpp, TheVerdictOnAPathThroughAKeepOut)
     for (std::size_t i = 0; i < found.broken.size(); ++i)
       EXPECT_EQ(json["diagnostics"]["broken_limits"][i]["id"], found.broken[i].id());
   }
+}
+
+TEST_F(SameInCpp, ReportsStockAndReach)
+{
+  ASSERT_EQ(run(PCL_SPIRAL_TOOLPATH_PROGRAM, {"scan.xyz", "-o", "path.json", "-o", "path.html", "--tool-radius", "4", "--scallop", "0.05",
+                                              "--part-at", "-75,0,4", "--stock", "left.ply", "--reach", "reach.csv"})
+                .code,
+            0);
+  const Scan scan = readCloud(folder_.path("scan.xyz"));
+  Planner planner;
+  planner.setInputCloud(scan.cloud);
+  planner.setPartAt(on_left);
+  planner.setToolRadius(4.0);
+  planner.setScallopHeight(0.05);
+  planner.setKeepSurface(true);
+  planner.setTrustNormals(false); // as the programs, which read them from files
+  pcl::PointCloud<ToolpathPoint> path;
+  planner.compute(path);
+  PathVerifier<pcl::PointXYZ> verifier;
+  verifier.setInputCloud(scan.cloud);
+  verifier.setPartAt(on_left);
+  verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(path));
+  verifier.setCutter(CutterShape::ball(4.0));
+  Verification found;
+  verifier.compute(found);
+  ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+  RunFiles files;
+  files.scan = "scan.xyz";
+  files.outputs = {"path.json", "path.html", "reach.csv", "left.ply"};
+  const RunReport report = reportOf(planner.getPlan(), {found});
+  writeReportJSON(folder_.path("cpp.json"), files, report);
+  writeReportHTML(folder_.path("cpp.html"), {"scan.xyz", "", ""}, files, report);
+  writeReachMap(folder_.path("cpp.csv"), reachMap(planner.getPlan()));
+  writeStock(folder_.path("cpp.ply"), stockMesh(*verifier.getReferenceSurface(), verifier.getHeights().stock));
+  const auto json = [this](const std::string& file) { return nlohmann::json::parse(readText(folder_.path(file))); };
+  const nlohmann::json by_program = json("path.json"), by_cpp = json("cpp.json");
+  for (const char* part : {"units", "input", "settings", "surface", "loops", "holes", "path", "not_reached"})
+    EXPECT_EQ(by_program[part], by_cpp[part]) << part;
+  for (const char* part : {"deviation", "material", "motion"}) {
+    nlohmann::json one = by_program["verification"][part], other = by_cpp["verification"][part];
+    one.erase("seconds");
+    other.erase("seconds");
+    EXPECT_EQ(one, other) << part;
+  }
+  EXPECT_NE(readText(folder_.path("cpp.html")).find("Toolpath"), std::string::npos);
+  EXPECT_EQ(readText(folder_.path("cpp.csv")), readText(folder_.path("reach.csv")));
+  EXPECT_EQ(readText(folder_.path("cpp.ply")), readText(folder_.path("left.ply")));
 }
 
 TEST_F(SameInCpp, TheJudgementOfAProgram)

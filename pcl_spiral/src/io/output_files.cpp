@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output_files.h"
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/output_files.h>
 
 #include <fcntl.h>
 #include <signal.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "verify/stock_mesh.h"
 #include "common/stoppable_loop.h"
+#include <pcl_spiral/verify/stock_mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "planning.h"
 
-#include "io/report/report_page.h"
+#include <pcl_spiral/io/report_page.h>
 
 #include <string>
 #include <vector>

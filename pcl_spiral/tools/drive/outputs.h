@@ -6,7 +6,7 @@
 
 #include "planning.h"
 
-#include "io/output_files.h"
+#include <pcl_spiral/io/output_files.h>
 
 /** Writes all files of the job, or none. \throw pcl_spiral::FileError, Cancelled */
 void writeOutputs(const Job& job, const Result& result, pcl_spiral::OutputFiles& files);

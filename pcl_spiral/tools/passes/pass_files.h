@@ -7,8 +7,8 @@
 #include "pass_job.h"
 #include "pass_result.h"
 
-#include "io/output_files.h"
 #include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/io/output_files.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <cstddef>

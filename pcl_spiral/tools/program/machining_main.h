@@ -12,7 +12,7 @@
 #include "terminal/program_main.h"
 #include "terminal/vocabulary.h"
 
-#include "io/output_files.h"
+#include <pcl_spiral/io/output_files.h>
 
 #include <pcl/console/print.h>
 

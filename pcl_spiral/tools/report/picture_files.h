@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "io/report/report_page.h"
+#include <pcl_spiral/io/report_page.h>
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/visualization/pass_picture.h>
 #include <pcl_spiral/visualization/reach_picture.h>

@@ -2,6 +2,7 @@
 #include "scan_places.h"
 
 #include "common/formatted_text.h"
+#include "io/report/moved_places.h"
 #include <pcl_spiral/core/diagnostic.h>
 
 using namespace pcl_spiral;
@@ -34,13 +35,6 @@ filePlace(const Eigen::Vector3d& place)
   const Eigen::Vector3d shown = (1e3 * place).array().round() / 1e3; // as placeText
   const Eigen::Vector3d p = shown / millimetres(run_read.unit) + run_read.origin;
   return formatted(" (in the file %.10g,%.10g,%.10g)", p.x(), p.y(), p.z());
-}
-
-void
-moveBack(StockFigures& figures)
-{
-  for (PlacedValue* value : {&figures.max, &figures.first_uncut})
-    value->position = inScan(value->position);
 }
 
 } // namespace
@@ -114,35 +108,13 @@ shownPlace(const Eigen::Vector3d& place)
 SpiralReport
 inScan(SpiralReport report)
 {
-  if (run_shift.isZero())
-    return report;
-  for (Eigen::Vector3d* place : {&report.centre, &report.sharpest_place, &report.closest_place})
-    if (!place->isZero()) // zero: none
-      *place = inScan(*place);
-  for (HoleReport& hole : report.holes)
-    hole.place = inScan(hole.place);
-  for (TightPlace& tight : report.tight_places)
-    tight.place = inScan(tight.place);
-  for (BoundaryLoop& loop : report.loops)
-    for (Eigen::Vector3d& place : loop.curve)
-      place = inScan(place);
-  return report;
+  return movedBy(run_shift, std::move(report));
 }
 
 Verification
-inScan(Verification v)
+inScan(Verification verification)
 {
-  DeviationFigures& d = v.deviation;
-  RemovalFigures& r = v.removal;
-  if (run_shift.isZero())
-    return v;
-  for (PlacedValue* value : {&d.max, &d.rim_max, &d.gap_max, &d.crease_max, &d.normal_error, &d.first_opposed, &d.first_inward,
-                             &d.wobble.max, &d.motion.gap, &d.motion.turn, &d.motion.axis_change, &d.motion.normal_change, &d.lift_max,
-                             &r.gouge, &r.rim_gouge, &r.crease_gouge, &r.face_depth, &r.face_gouge, &v.tip_error})
-    value->position = inScan(value->position);
-  for (StockFigures* figures : {&r.stock, &r.scallop, &r.rim, &r.unreached, &r.crease})
-    moveBack(*figures);
-  return v;
+  return movedBy(run_shift, std::move(verification));
 }
 
 std::string

@@ -45,7 +45,7 @@ pcl_spiral::ReadOptions readAsScan(pcl_spiral::ReadOptions read);
 Eigen::Vector3d fromScan(const Eigen::Vector3d& place);
 std::optional<Eigen::Vector3d> fromScan(const std::optional<Eigen::Vector3d>& place);
 
-/** The reverse. Of reports: every place; what they say has its places as fields, see programWords.
+/** The reverse. Of figures: every place; what they say has its places as fields, see programWords.
  *  @{ */
 Eigen::Vector3d inScan(const Eigen::Vector3d& place);
 pcl_spiral::SpiralReport inScan(pcl_spiral::SpiralReport report);

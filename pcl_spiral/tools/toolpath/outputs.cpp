@@ -5,18 +5,18 @@
 #include "program/exchange_files.h"
 #include "program/machine_moves.h"
 #include "program/program_check.h"
-#include "reach_map.h"
 #include "terminal/file_names.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
 
 #include "io/report/cutter_text.h"
-#include "io/report/report_writer.h"
-#include "io/write/stock_files.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
+#include <pcl_spiral/io/reach_map_writer.h>
+#include <pcl_spiral/io/report_writer.h>
+#include <pcl_spiral/io/stock_writer.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
@@ -133,45 +133,26 @@ isReport(const std::string& output)
   return extensionOf(output) == ".json" || extensionOf(output) == ".html";
 }
 
-RegionReport
-reportOf(const Result& result, std::size_t k, const Pictures& pictures)
-{
-  const SpiralPlan& region = result.plan.regions[k];
-  RegionReport report{region.region, inScan(region.report), std::nullopt, {}, region.attempts};
-  if (result.regions[k].verification)
-    report.verification = inScan(*result.regions[k].verification);
-  if (k < pictures.of_regions.size())
-    report.judged = pictures.of_regions[k];
-  return report;
-}
-
 void
 writeReport(const Job& job, const Result& result, const std::string& title, const Pictures& pictures, const std::string& file)
 {
-  RunFiles run{job.scan, job.read.unit, job.read.origin, filesOf(job), readingWarnings(result), {}, job.options};
-  run.shift = scanShift();
-  run.words = programWords();
-  run.attempts = result.plan.attempts;
-  const SpiralPlan& plan = result.plan;
-  if (plan.mesh)
-    run.mesh = RunMesh{plan.mesh->counts, plan.mesh->spacing};
-  const std::optional<Verification>& found = result.judged.verification;
-  const std::optional<Verification> judged = found ? std::optional(inScan(*found)) : std::nullopt;
-  const Verification* const verification = judged ? &*judged : nullptr;
-  SpiralSettings settings = plan.settings;
-  for (std::optional<Eigen::Vector3d>* place : {&settings.centre, &settings.start_point, &settings.view_point, &settings.part_at})
-    if (*place)
-      *place = inScan(**place);
-  const SpiralReport report = inScan(plan.report);
-  std::vector<RegionReport> regions;
-  for (std::size_t k = 0; k < result.regions.size(); ++k)
-    regions.push_back(reportOf(result, k, pictures));
+  RunFiles files{job.scan, job.read.unit, job.read.origin, filesOf(job), readingWarnings(result), job.options};
+  files.shift = scanShift();
+  files.words = programWords();
+  std::vector<Verification> judged;
+  if (result.judged.verification)
+    judged.push_back(*result.judged.verification);
+  for (const Judged& region : result.regions)
+    if (region.verification)
+      judged.push_back(*region.verification);
+  RunReport report = reportOf(result.plan, judged);
   if (extensionOf(file) == ".json")
-    writeReportJSON(file, run, settings, report, verification, regions);
-  else
-    writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, run, settings, report,
-                    pictures.files.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary, PictureKind::Reach}),
-                    verification, pictures.files.forReport(judging_kinds), regions);
+    return writeReportJSON(file, files, report);
+  report.pictures = pictures.files.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary, PictureKind::Reach});
+  report.judged = pictures.files.forReport(judging_kinds);
+  for (std::size_t k = 0; k < pictures.of_regions.size(); ++k)
+    report.regions[k].judged = pictures.of_regions[k];
+  writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, files, report);
 }
 
 /** What a program says of its path. */
@@ -216,7 +197,7 @@ try {
   const std::string title = titleWithShift(std::filesystem::path(job.scan).filename().string());
   Pictures pictures;
   StageClock clock(result.plan.report.stages);
-  const ReachMap reach = job.reach.empty() ? ReachMap() : reachMapOf(job, result);
+  const ReachMap reach = job.reach.empty() ? ReachMap() : reachMap(result.plan);
   const bool draws = std::any_of(job.outputs.begin(), job.outputs.end(), hasPictures);
   if (draws)
     draw(result, title, pictures);
@@ -242,7 +223,7 @@ try {
   if (hasPictures(job.reach))
     pictures.files.copy(PictureKind::Reach, files.temporary(i++));
   else if (!job.reach.empty())
-    writeReachMap(reach, extensionOf(job.reach), files.temporary(i++));
+    writeReachMap(files.temporary(i++), reach, scanShift());
   for (std::size_t k = 0; k < job.stock.size(); ++k)
     writeStock(files.temporary(i++), result.judged.left, scanShift());
   clock.end("writing");

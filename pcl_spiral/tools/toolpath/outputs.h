@@ -10,12 +10,12 @@
 #include "terminal/scan_side.h"
 #include <pcl_spiral/planning/impl/path_judging.h>
 
-#include "io/output_files.h"
-#include "verify/stock_mesh.h"
+#include <pcl_spiral/io/output_files.h>
 #include <pcl_spiral/machine/machine_program.h>
 #include <pcl_spiral/machine/tool_moves.h>
 #include <pcl_spiral/planning/program_planner.h>
 #include <pcl_spiral/planning/spiral_plan.h>
+#include <pcl_spiral/verify/stock_mesh.h>
 
 #include <optional>
 #include <string>

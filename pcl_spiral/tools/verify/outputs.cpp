@@ -7,8 +7,8 @@
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
 
-#include "io/write/stock_files.h"
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/stock_writer.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
     for (std::size_t i = 0; i < job_.stock.size(); ++i)
       writeStock(files_.temporary(files_.size() - job_.stock.size() + i), left, scanShift());
   }
-  verifications_.push_back(inScan(judged.verification));
+  verifications_.push_back(judged.verification);
 }
 
 void

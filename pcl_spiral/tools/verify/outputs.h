@@ -6,8 +6,8 @@
 
 #include "verify_job.h"
 
-#include "io/output_files.h"
-#include "io/report/verification_writer.h"
+#include <pcl_spiral/io/output_files.h>
+#include <pcl_spiral/io/verification_writer.h>
 #include <pcl_spiral/planning/impl/path_judge.h>
 
 /** Collects the results of each path, then writes the files. */

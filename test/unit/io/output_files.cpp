@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Outputs that are written all or none: content of the folder before, during and after.
-#include "io/output_files.h"
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/output_files.h>
 
 #include "support/scratch_folder.h"
 

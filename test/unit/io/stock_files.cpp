@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The surface after cutting, written and read back by PCL: heights and places over an exact plane, triangles that close it.
-#include "io/write/stock_files.h"
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/stock_writer.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 #include <pcl_spiral/verify/material_removal.h>
 

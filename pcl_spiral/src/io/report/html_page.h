@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "report_page.h"
+#include <pcl_spiral/io/report_page.h>
 
 #include "common/formatted_text.h"
 

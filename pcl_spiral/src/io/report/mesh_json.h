@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "report_writer.h"
+#include <pcl_spiral/io/report_writer.h>
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,8 @@
 
 #include "io/setting_names.h"
 #include "mesh/mesh_findings.h"
-#include "report_writer.h"
+#include "moved_places.h"
+#include <pcl_spiral/io/report_writer.h>
 
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/surface/impl/side_text.h>
@@ -110,9 +111,8 @@ meshRows(const RunMesh& mesh, const Vocabulary& words)
 }
 
 void
-addSurface(HtmlPage& page, const RunFiles& files, const SpiralReport& r)
+addSurface(HtmlPage& page, const RunFiles& files, const std::optional<RunMesh>& mesh, const SpiralReport& r)
 {
-  const std::optional<RunMesh>& mesh = files.mesh;
   page.addHeading(mesh ? "Surface" : "Scanned surface");
   HtmlRows rows = mesh ? meshRows(*mesh, files.words) : HtmlRows();
   rows.push_back({mesh ? "Samples of its curved surface" : "Points", formatted("%zu, %zu of them used", r.input_points, r.used_points)});
@@ -227,44 +227,48 @@ addJudged(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings,
 }
 
 void
-addRegion(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const RegionReport& region, Diagnostics& warnings)
+addRegion(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const std::optional<RunMesh>& mesh,
+          const PathReport& region, Diagnostics& warnings)
 {
   page.addPart(region.name);
   if (region.verification)
     addJudged(page, files, settings, *region.verification, region.judged, warnings);
   addPath(page, region.report, settings);
-  addSurface(page, files, region.report);
+  addSurface(page, files, mesh, region.report);
 }
 
 } // namespace
 
 void
-writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const SpiralSettings& settings,
-                const SpiralReport& report, const std::vector<ReportPicture>& pictures, const Verification* verification,
-                const std::vector<ReportPicture>& judged, const std::vector<RegionReport>& regions)
+writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& of_run, const RunReport& given)
 {
+  RunFiles files = of_run;
+  files.words = movedBy(files.shift, files.words);
+  const RunReport run = movedBy(files.shift, given);
+  const SpiralSettings& settings = run.settings;
+  const SpiralReport& report = run.report;
   HtmlPage html(page.title, formatted("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm",
                                       settings.tool_radius, settings.scallop_height));
   Diagnostics warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
-  if (verification) {
+  if (run.verification) {
     html.addPart("Verification");
-    addJudged(html, files, settings, *verification, judged, warnings);
+    addJudged(html, files, settings, *run.verification, run.judged, warnings);
   }
-  else if (regions.empty() || !regions.front().verification)
+  else if (run.regions.empty() || !run.regions.front().verification)
     html.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify checks deviation, scallop and gouge against the scan"});
-  for (const RegionReport& region : regions)
-    addRegion(html, files, settings, region, warnings);
-  html.addPart(regions.empty() ? "Path and surface" : "All regions");
-  for (const ReportPicture& picture : pictures)
+  for (const PathReport& region : run.regions)
+    addRegion(html, files, settings, run.mesh, region, warnings);
+  html.addPart(run.regions.empty() ? "Path and surface" : "All regions");
+  for (const ReportPicture& picture : run.pictures)
     html.addPicture(picture);
   addPath(html, report, settings);
-  if (regions.empty())
-    addSurface(html, files, report);
+  if (run.regions.empty())
+    addSurface(html, files, run.mesh, report);
   html.addPart("Run");
   addWarnings(html, textsOf(warnings, files.words));
   addSettings(html, files, settings);
-  addTimes(html, report, verification);
+  addTimes(html, report, run.verification ? &*run.verification : nullptr);
   if (!page.command.empty()) {
     html.addHeading("Made by");
     html.addCode(page.command);

@@ -2,12 +2,14 @@
 #include "diagnostic_json.h"
 #include "io/byte_file.h"
 #include "mesh_json.h"
+#include "moved_places.h"
+#include "run_options.h"
 #include "settings_json.h"
 #include "side_json.h"
 #include "verification_json.h"
 
 #include "io/setting_names.h"
-#include "report_writer.h"
+#include <pcl_spiral/io/report_writer.h>
 
 #include <nlohmann/json.hpp>
 
@@ -192,7 +194,7 @@ addTries(const std::vector<PlanAttempt>& attempts, const Vocabulary& words, Json
 
 /** What a report has of the whole run, of one region. */
 Json
-regionJson(const RegionReport& region, const RunFiles& files, double feed)
+regionJson(const PathReport& region, const RunFiles& files, double feed)
 {
   const SpiralReport& report = region.report;
   Json json = {{"region", region.name},
@@ -213,10 +215,34 @@ regionJson(const RegionReport& region, const RunFiles& files, double feed)
 
 } // namespace
 
-void
-writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSettings& settings, const SpiralReport& report,
-                const Verification* verification, const std::vector<RegionReport>& regions)
+RunReport
+reportOf(const SpiralPlan& plan, const std::vector<Verification>& judged)
 {
+  RunReport run;
+  run.report = plan.report;
+  run.attempts = plan.attempts;
+  run.settings = plan.settings;
+  if (plan.mesh)
+    run.mesh = RunMesh{plan.mesh->counts, plan.mesh->spacing};
+  if (plan.regions.empty() && !judged.empty())
+    run.verification = judged.front();
+  for (std::size_t k = 0; k < plan.regions.size(); ++k) {
+    const SpiralPlan& region = plan.regions[k];
+    run.regions.push_back({region.region, region.report, std::nullopt, {}, region.attempts});
+    if (k < judged.size())
+      run.regions.back().verification = judged[k];
+  }
+  return run;
+}
+
+void
+writeReportJSON(const std::string& file, const RunFiles& of_run, const RunReport& given)
+{
+  RunFiles files = of_run;
+  files.words = movedBy(files.shift, files.words);
+  const RunReport run = movedBy(files.shift, given);
+  const SpiralSettings& settings = run.settings;
+  const SpiralReport& report = run.report;
   Diagnostics warnings = files.warnings;
   warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
   Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"feed", "mm/min"}, {"time", "s"}, {"memory", "MB"}}},
@@ -237,12 +263,12 @@ writeReportJSON(const std::string& file, const RunFiles& files, const SpiralSett
     json["settings"]["max_step"] = settings.tool_radius; // as used
   if (settings.hole_size == 0.0)
     json["settings"]["hole_size"] = nullptr; // found from the scan
-  addTries(files.attempts, files.words, json);
-  if (files.mesh)
-    json["mesh"] = meshJson(*files.mesh);
-  if (verification)
-    json["verification"] = verificationJson(*verification, files.words, files.shift);
-  for (const RegionReport& region : regions)
+  addTries(run.attempts, files.words, json);
+  if (run.mesh)
+    json["mesh"] = meshJson(*run.mesh);
+  if (run.verification)
+    json["verification"] = verificationJson(*run.verification, files.words, files.shift);
+  for (const PathReport& region : run.regions)
     json["regions"].push_back(regionJson(region, files, settings.feed));
   ByteFile out(file);
   out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -4,16 +4,11 @@
  */
 #pragma once
 
+#include <pcl_spiral/io/report_page.h>
+
 #include <nlohmann/json_fwd.hpp>
 
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace pcl_spiral {
-
-/** Options of a program by name, with their values as given; "output" once for each file. */
-using RunOptions = std::vector<std::pair<std::string, std::string>>;
 
 /** A map that a program reads back with --config: the values as text, the outputs as a list. */
 nlohmann::ordered_json optionsJson(const RunOptions& options);

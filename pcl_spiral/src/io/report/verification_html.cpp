@@ -3,6 +3,7 @@
 
 #include "cutter_text.h"
 #include "io/setting_names.h"
+#include "moved_places.h"
 #include "verify/figure_text.h"
 #include "verify/limit_verdicts.h"
 #include "verify/verification_figures.h"
@@ -196,12 +197,14 @@ addWarnings(HtmlPage& page, const std::vector<std::string>& warnings)
 }
 
 void
-writeVerificationHTML(const std::string& file, const ReportPage& page, const VerificationRun& run,
+writeVerificationHTML(const std::string& file, const ReportPage& page, const VerificationRun& asked,
                       const std::vector<Verification>& verifications, const std::vector<std::vector<ReportPicture>>& pictures)
 {
+  VerificationRun run = asked;
+  run.words = movedBy(run.shift, run.words);
   HtmlPage html(page.title, std::string("Toolpath judged by a ") + (run.mesh ? "mesh" : "scan") + "; cutter of " + cutterText(run.cutter));
   for (std::size_t i = 0; i < verifications.size(); ++i) {
-    const Verification& v = verifications[i];
+    const Verification v = movedBy(run.shift, verifications[i]);
     if (verifications.size() > 1)
       html.addPart(nameOf(v));
     addVerification(html, run, v, i < pictures.size() ? pictures[i] : std::vector<ReportPicture>());

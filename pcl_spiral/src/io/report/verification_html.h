@@ -5,7 +5,7 @@
 #pragma once
 
 #include "html_page.h"
-#include "verification_writer.h"
+#include <pcl_spiral/io/verification_writer.h>
 
 namespace pcl_spiral {
 

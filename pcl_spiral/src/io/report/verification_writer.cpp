@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "verification_writer.h"
+#include <pcl_spiral/io/verification_writer.h>
 
 #include "diagnostic_json.h"
 #include "io/byte_file.h"
 #include "io/setting_names.h"
+#include "moved_places.h"
 #include "verification_json.h"
 
 namespace pcl_spiral {
@@ -44,14 +45,16 @@ limitsJson(const Limits& limits)
 } // namespace
 
 void
-writeVerificationJSON(const std::string& file, const VerificationRun& run, const std::vector<Verification>& verifications)
+writeVerificationJSON(const std::string& file, const VerificationRun& asked, const std::vector<Verification>& verifications)
 {
+  VerificationRun run = asked;
+  run.words = movedBy(run.shift, run.words);
   Json paths = Json::array();
   for (const Verification& verification : verifications) {
     Json path = {{"file", verification.path}};
     if (!verification.region.empty())
       path["region"] = verification.region;
-    path.update(verificationJson(verification, run.words, run.shift));
+    path.update(verificationJson(movedBy(run.shift, verification), run.words, run.shift));
     paths.push_back(path);
   }
   const Json json = {{"units", {{"length", "mm"}, {"angle", "degree"}, {"time", "s"}}},

@@ -4,11 +4,10 @@
  */
 #pragma once
 
-#include <pcl_spiral/core/diagnostic.h>
-
-#include "report_page.h"
 #include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/io/report_page.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/verify/verification.h>
 
@@ -36,11 +35,11 @@ struct VerificationRun {
   Diagnostics warnings;        ///< from reading
   Limits limits;
   std::optional<JudgedMesh> mesh = std::nullopt;   ///< absent: a scan
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift; places are in the coordinates of the scan
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift: added to all places
   Vocabulary words = {};                           ///< of what the verifications say
 };
 
-/** Settings, and the figures of each path with their places (see figuresOf). Lengths in mm, angles in degrees, times in
+/** Settings, and the figures of each path with their places. Lengths in mm, angles in degrees, times in
  *  seconds. \throw FileError */
 void writeVerificationJSON(const std::string& file, const VerificationRun& run, const std::vector<Verification>& verifications);
 

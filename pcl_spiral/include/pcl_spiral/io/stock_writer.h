@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "verify/stock_mesh.h"
+#include <pcl_spiral/verify/stock_mesh.h>
 
 #include <Eigen/Core>
 

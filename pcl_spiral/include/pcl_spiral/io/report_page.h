@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Texts and pictures of a readable report.
+ *  Texts, pictures and options of a report.
  */
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -20,5 +22,8 @@ struct ReportPicture {
   std::string file; ///< PNG; its bytes go into the report
   std::string caption;
 };
+
+/** Options of a program by name, with their values as given; "output" once for each file. */
+using RunOptions = std::vector<std::pair<std::string, std::string>>;
 
 } // namespace pcl_spiral

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stock_files.h"
+#include <pcl_spiral/io/stock_writer.h>
 
 #include "common/formatted_text.h"
 #include "io/byte_file.h"
