@@ -3,6 +3,7 @@
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/machine_reader.h>
 #include <pcl_spiral/io/mesh_reader.h>
+#include <pcl_spiral/io/pass_report_writer.h>
 #include <pcl_spiral/io/path_exchange.h>
 #include <pcl_spiral/io/polygon_reader.h>
 #include <pcl_spiral/io/program_reader.h>
@@ -385,6 +386,39 @@ TEST_F(SameInCpp, ReportsStockAndReach)
   EXPECT_NE(readText(folder_.path("cpp.html")).find("Toolpath"), std::string::npos);
   EXPECT_EQ(readText(folder_.path("cpp.csv")), readText(folder_.path("reach.csv")));
   EXPECT_EQ(readText(folder_.path("cpp.ply")), readText(folder_.path("left.ply")));
+}
+
+TEST_F(SameInCpp, AReportOfPasses)
+{
+  ASSERT_EQ(run(PCL_SPIRAL_DRIVE_PROGRAM,
+                {"scan.xyz", "-o", "path.json", "-o", "path.html", "--tool-radius", "4", "--step-over", "2", "--part-at", "-75,0,4"})
+                .code,
+            0);
+  DrivePlanner<pcl::PointXYZ> planner;
+  planner.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
+  planner.setPartAt(on_left);
+  planner.setTrustNormals(false);
+  planner.setStepOver(2.0);
+  DriveRun made;
+  made.tool.cutter = CutterShape::ball(4.0);
+  planner.setCutter(made.tool.cutter);
+  planner.setPassSettings(made.tool);
+  planner.setChordError(0.5 * made.tool.tolerance); // as the program, which leaves the other half to the moves between locations
+  planner.compute();
+  ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  made.drive = planner.getSettings();
+  RunFiles files;
+  files.scan = "scan.xyz";
+  writeDriveReportJSON(folder_.path("cpp.json"), files, made, planner.getPlan());
+  writeDriveReportHTML(folder_.path("cpp.html"), {"scan.xyz", "", ""}, files, made, planner.getPlan(), {});
+  nlohmann::json by_program = nlohmann::json::parse(readText(folder_.path("path.json"))),
+                 by_cpp = nlohmann::json::parse(readText(folder_.path("cpp.json")));
+  for (const char* part : {"options", "stages", "warnings", "diagnostics"}) { // options of the program, times, and its words
+    by_program.erase(part);
+    by_cpp.erase(part);
+  }
+  EXPECT_EQ(by_program, by_cpp) << nlohmann::json::diff(by_program, by_cpp).dump(1);
+  EXPECT_NE(readText(folder_.path("cpp.html")).find("Passes over a scanned surface"), std::string::npos);
 }
 
 TEST_F(SameInCpp, TheJudgementOfAProgram)

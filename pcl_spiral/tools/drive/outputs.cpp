@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
-#include "drive_page.h"
-#include "drive_report.h"
 #include "job_check.h"
 #include "pass_scene.h"
 #include "passes/pass_files.h"
 #include "passes/pass_summary.h"
 #include "report/picture_files.h"
 #include "terminal/file_names.h"
+#include "terminal/terminal.h"
+#include "terminal/vocabulary.h"
 
 #include "io/setting_names.h"
+#include <pcl_spiral/io/pass_report_writer.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -33,6 +34,22 @@ draw(const Job& job, const Result& result, PictureFiles& pictures)
     pictures.drawProgram(titleOf(job), *result.program);
 }
 
+/** Files and options of the run; its warnings are in the result. */
+RunFiles
+runFiles(const Job& job)
+{
+  RunFiles files{job.scan, job.read.unit, job.read.origin, filesOf(job), {}, job.options};
+  files.shift = scanShift();
+  files.words = programWords();
+  return files;
+}
+
+DriveRun
+driveRun(const Job& job, const Result& result)
+{
+  return {{job, job.feed, result.program}, job.drive, !job.no_gouge_check, job.largest_part, job.thinning};
+}
+
 } // namespace
 
 void
@@ -50,9 +67,10 @@ writeOutputs(const Job& job, const Result& result, OutputFiles& files)
         pictures.copy(PictureKind::Rotary, files.temporary(next++));
     }
     else if (extension == ".html")
-      writeDrivePage(files.temporary(next++), titleOf(job), job, result, pictures.forReport(kinds));
+      writeDriveReportHTML(files.temporary(next++), {titleOf(job), madeBy("pcl_spiral_drive"), job.command}, runFiles(job),
+                           driveRun(job, result), result, pictures.forReport(kinds));
     else if (extension == ".json")
-      writeDriveReport(files.temporary(next++), job, result);
+      writeDriveReportJSON(files.temporary(next++), runFiles(job), driveRun(job, result), result);
     else
       writePassFile(job, result, titleOf(job), output, files.temporary(next++));
   });

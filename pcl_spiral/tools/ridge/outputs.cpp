@@ -4,10 +4,11 @@
 #include "job_check.h"
 #include "passes/pass_files.h"
 #include "passes/pass_summary.h"
-#include "ridge_report.h"
 #include "terminal/file_names.h"
+#include "terminal/vocabulary.h"
 
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/io/pass_report_writer.h>
 #include <pcl_spiral/visualization/pass_picture.h>
 #include <pcl_spiral/visualization/ridge_picture.h>
 
@@ -69,6 +70,16 @@ printRidge(const Job& job, const Result& result)
   std::printf("rows            %zu, %.4g mm apart at most, %zu points\n", result.rows.rows, result.rows.largest_step, result.rows.points);
 }
 
+void
+writeReport(const Job& job, const Result& result, const std::string& file)
+{
+  RunFiles files{job.scan, job.read.unit, job.read.origin, filesOf(job), {}, job.options};
+  files.shift = scanShift();
+  files.words = programWords();
+  const RidgeRun run{{job, job.feed, result.program}, job.rail, job.generator, job.ridge, job.rows, job.through, job.half_width, job.ring};
+  writeRidgeReportJSON(file, files, run, result, result);
+}
+
 } // namespace
 
 void
@@ -78,7 +89,7 @@ writeOutputs(const Job& job, const Result& result, OutputFiles& files)
     if (extensionOf(output) == ".png")
       writePictures(job, result, files, next);
     else if (extensionOf(output) == ".json")
-      writeRidgeReport(files.temporary(next++), job, result);
+      writeReport(job, result, files.temporary(next++));
     else
       writePassFile(job, result, titleOf(job), output, files.temporary(next++));
   });

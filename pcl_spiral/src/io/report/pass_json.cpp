@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pass_report.h"
+#include "pass_json.h"
 
-#include "io/report/diagnostic_json.h"
+#include "diagnostic_json.h"
+#include "io/byte_file.h"
+#include "moved_places.h"
 
-#include "terminal/scan_places.h"
-#include "terminal/vocabulary.h"
+namespace pcl_spiral {
 
-#include <pcl_spiral/io/file_error.h>
-
-#include <fstream>
-
-using namespace pcl_spiral;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -25,7 +21,7 @@ statesOf(const LocationFigures& figures)
 }
 
 Json
-locationsOf(const PassResult& result)
+locationsOf(const PassPlan& result)
 {
   const LocationFigures& f = result.locations;
   const BisectionFigures& b = result.bisection;
@@ -50,39 +46,48 @@ locationsOf(const PassResult& result)
 } // namespace
 
 Json
-cutterOf(const PassJob& job)
+cutterJson(const CutterShape& c)
 {
-  const CutterShape& c = job.cutter;
   return {{"radius", c.radius}, {"corner_radius", c.corner_radius}, {"flank_length", c.flank_length}, {"flank_angle", c.flank_angle}};
 }
 
+Json
+placeJson(const Eigen::Vector3d& place)
+{
+  return {place.x(), place.y(), place.z()};
+}
+
 void
-addPasses(const PassResult& result, Json& report)
+addPasses(const RunFiles& files, const PassRun& run, const PassPlan& plan, Json& report)
 {
   Json stages = Json::array();
-  for (const StageCost& stage : result.stages)
+  for (const StageCost& stage : plan.stages)
     stages.push_back({{"stage", stage.name}, {"seconds", stage.seconds}});
-  report["passes"] = result.passes.size();
-  report["tip_length"] = result.length;
-  report["locations"] = locationsOf(result);
+  Diagnostics warnings = files.warnings;
+  warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
+  const Vocabulary words = movedBy(files.shift, files.words);
+  report["passes"] = plan.passes.size();
+  report["tip_length"] = plan.length;
+  report["locations"] = locationsOf(plan);
   report["stages"] = stages;
-  report["warnings"] = textsOf(result.warnings, programWords());
-  report["diagnostics"] = diagnosticsJson(result.warnings, programWords(), scanShift());
-  report["shift"] = {scanShift().x(), scanShift().y(), scanShift().z()};
-  if (result.program)
-    report["machine"] = {{"name", result.program->machine.name},
-                         {"blocks", result.program->blocks.size()},
-                         {"minutes", result.program->report.minutes},
-                         {"links", result.program->report.links},
-                         {"blocked_links", result.program->report.blocked_links},
-                         {"saved_way", result.program->report.saved_way}};
+  report["warnings"] = textsOf(warnings, words);
+  report["diagnostics"] = diagnosticsJson(warnings, words, files.shift);
+  report["shift"] = placeJson(files.shift);
+  if (run.program)
+    report["machine"] = {{"name", run.program->machine.name},
+                         {"blocks", run.program->blocks.size()},
+                         {"minutes", run.program->report.minutes},
+                         {"links", run.program->report.links},
+                         {"blocked_links", run.program->report.blocked_links},
+                         {"saved_way", run.program->report.saved_way}};
 }
 
 void
 writeJSON(const std::string& file, const Json& report)
 {
-  std::ofstream out(file);
-  out << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  if (!out.flush())
-    throw FileError(file, "cannot be written; is the disk full?");
+  ByteFile out(file);
+  out.write(report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  out.close();
 }
+
+} // namespace pcl_spiral

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Reports of passes, as JSON and as a readable page.
+ */
+#pragma once
+
+#include <pcl_spiral/io/report_page.h>
+#include <pcl_spiral/io/report_writer.h>
+#include <pcl_spiral/machine/machine_program.h>
+#include <pcl_spiral/planning/pass_plan.h>
+#include <pcl_spiral/planning/ridge_plan.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** What a report of passes says beside their plan and the files of the run. Lengths in mm. */
+struct PassRun {
+  PassSettings tool;                     ///< of the planner
+  double feed = 1000.0;                  ///< mm/min
+  std::optional<MachineProgram> program; ///< absent: none was made
+};
+
+/** Passes of DrivePlanner, with what it was told. */
+struct DriveRun : PassRun {
+  DriveSettings drive;       ///< of the planner
+  bool gouge_check = true;   ///< DrivePlanner::setGougeCheck
+  bool largest_part = false; ///< SurfaceSettings::largest_part
+  double thinning = 0.0;     ///< SurfaceSettings::thinning
+};
+
+/** Rows of RidgePlanner, with what it was told. */
+struct RidgeRun : PassRun {
+  std::string rail, generator; ///< files of the measured lines; empty: both were found in the scan
+  RidgeSettings ridge;         ///< of measured lines
+  RidgeRowSettings rows;       ///< of the planner
+  Polyline rough_points;       ///< RidgePlanner::setRoughPoints
+  double half_width = 0.0;     ///< RidgePlanner::setHalfWidth
+  bool closed = false;         ///< RidgePlanner::setClosed
+};
+
+/** Settings, counts, states of locations, collisions, times and warnings of a drive path. \throw FileError */
+void writeDriveReportJSON(const std::string& file, const RunFiles& files, const DriveRun& run, const PassPlan& plan);
+
+/** The same as one HTML file that needs no other, with \p pictures. \throw FileError */
+void writeDriveReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const DriveRun& run, const PassPlan& plan,
+                          const std::vector<ReportPicture>& pictures);
+
+/** Settings, both lines, rows, locations, times and warnings of rows over a ridge. \throw FileError */
+void writeRidgeReportJSON(const std::string& file, const RunFiles& files, const RidgeRun& run, const PassPlan& plan,
+                          const RidgeFigures& figures);
+
+} // namespace pcl_spiral
