@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "part_options.h"
 
-#include "failure.h"
 #include "scan_places.h"
-#include "terminal.h"
-
 #include <pcl_spiral/io/polygon_reader.h>
-
-#include <iterator>
-#include <utility>
 
 using namespace pcl_spiral;
 
@@ -106,24 +100,4 @@ choiceOf(const PartOptions& options, const ReadOptions& asked)
   for (const std::string& keep_out : options.keep_outs)
     choice.keep_outs.push_back(readPolygon(keep_out, read));
   return choice;
-}
-
-ChosenPart
-choosePart(const PartOptions& options, const std::string& file, const ReadOptions& asked, const PartTool& tool, const ScanSide& side,
-           bool flip_normals, unsigned int threads, Scan& scan)
-{
-  SurfaceSettings settings;
-  settings.view_point = side.view_point;
-  settings.trust_normals = false; // they come from a file: normals without a common side are not used, with a warning
-  settings.flip_normals = flip_normals;
-  settings.threads = threads;
-  ChosenPart part;
-  const WholeScan whole{scan.cloud, side.normals, settings, nullptr};
-  require(file, choosePart(whole, choiceOf(options, asked), tool, {}, part));
-  if (part.cloud) {
-    scan.cloud = part.cloud;
-    scan.normals = part.normals;
-  }
-  std::move(part.warnings.begin(), part.warnings.end(), std::back_inserter(scan.warnings));
-  return part;
 }

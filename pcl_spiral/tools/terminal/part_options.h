@@ -52,9 +52,3 @@ Eigen::Vector3d placeInFile(const Eigen::Vector3d& place, const pcl_spiral::Read
 
 /** The choice in the coordinates of the scan that was read with \p asked. \throw pcl_spiral::FileError, UsageError */
 pcl_spiral::PartChoice choiceOf(const PartOptions& options, const pcl_spiral::ReadOptions& asked);
-
-/** Removes from \p scan, which was read from \p file with \p side, the points that are not of the part (see pcl_spiral::choosePart: the
- *  cutter is looked at later, if \p tool has no radius), and adds to its warnings how many. \throw pcl_spiral::FileError, UsageError */
-pcl_spiral::ChosenPart choosePart(const PartOptions& options, const std::string& file, const pcl_spiral::ReadOptions& asked,
-                                  const pcl_spiral::PartTool& tool, const ScanSide& side, bool flip_normals, unsigned int threads,
-                                  pcl_spiral::Scan& scan);

@@ -26,6 +26,24 @@ struct SpiralPoint {
   bool begins_pass = false; ///< the tool is lifted to it
 };
 
+/** Where a point of a curve is on the surface. */
+struct CurveFoot {
+  Eigen::Vector3d position, normal; ///< mm; unit
+  double nearest_distance;          ///< from the nearest point of the scan, mm
+  std::uint32_t nearest;            ///< that point
+};
+
+/** Feet of a curve that are known before it is put on the surface: those from which the length of its moves was found. */
+struct CurveFeet {
+  static constexpr std::uint32_t none = 0xffffffffu; ///< no foot
+
+  std::vector<CurveFoot> feet;         ///< in any order
+  std::vector<std::uint32_t> of_point; ///< index into feet of each point of the curve, or none; empty: none is known
+
+  /** The foot of point \p i; null: it is not known. */
+  const CurveFoot* find(std::size_t i) const { return i < of_point.size() && of_point[i] != none ? &feet[of_point[i]] : nullptr; }
+};
+
 /** The highest ridge that turns leave at corners. */
 struct CornerRidge {
   double height = 0.0;                              ///< mm; the tool radius where material is left uncut; 0 without corners
@@ -37,6 +55,7 @@ struct CornerRidge {
 /** The curve, before it is put on the surface, and its figures. Lengths in mm. */
 struct SpiralTurns {
   std::vector<SpiralPoint> curve;    ///< in travel order
+  CurveFeet feet;                    ///< of its points
   double smallest_step_over = 0.0;   ///< on the surface, along the lines
   double largest_step_over = 0.0;    ///< the largest, in the same way
   double largest_allowed_step = 0.0; ///< longest linear move
@@ -125,9 +144,10 @@ Status measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFi
 /** Put \p curve on \p surface: contacts, normals, turns and gap marks of \p path. Fails where the curve leaves the surface,
  *  where the cutter does not fit with TightHandling::Refuse, and over a gap with GapHandling::Refuse. A step stretched beyond
  *  \p longest_step, mm, gets a point in its middle. With TightHandling::Ride, contacts are lifted off the surface where the ball does not
- *  reach it. \p reach of the ball on this surface; null: made here. */
+ *  reach it. \p reach of the ball on this surface; null: made here. \p known: feet that need not be found again; null: none. */
 Status putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
-                    const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach = nullptr);
+                    const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach = nullptr,
+                    const CurveFeet* known = nullptr);
 
 /** Tool axes of \p path: tilted, smoothed, limited to the largest rate. Beside \p obstacles, points that the ball rides over, the tool
  *  leans less if its shank, shank_radii long, would enter them otherwise; a fixed axis stays. Fails where the axis would lie in the

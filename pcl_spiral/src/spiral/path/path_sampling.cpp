@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -40,15 +41,24 @@ pointsLookedAt(const LinkedPath& path, double apart)
   return looked;
 }
 
+/** Points of a path whose feet are known. */
+struct LookedAt {
+  std::vector<std::uint32_t> points; ///< in their order
+  std::vector<CurveFoot> feet;       ///< one for each
+};
+
 /** Longest move that starts at each point of the path along it; chunk by chunk, because feet need much memory. Fails if the path
- *  leaves the surface. Points closer together than the fit can tell curvatures apart share a foot. */
+ *  leaves the surface. Points closer together than the fit can tell curvatures apart share a foot. \p kept: the feet; null: not
+ *  kept. */
 Status
-allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<double>& steps)
+allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<double>& steps, LookedAt* kept)
 {
   const double longest = settings.max_step > 0.0 ? settings.max_step : settings.tool_radius;
   const std::size_t n = path.points.size();
   steps.resize(n);
   const std::vector<std::size_t> looked = pointsLookedAt(path, shared_foot * surface.spacing());
+  if (kept)
+    kept->points.assign(looked.begin(), looked.end());
   const auto stepAt = [&](std::size_t i, const SurfaceFoot& foot) {
     const std::size_t before = i > 0 && !beginsPass(path.passes, i) ? i - 1 : i,
                       after = i + 1 < n && !beginsPass(path.passes, i + 1) ? i + 1 : i;
@@ -72,8 +82,12 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
               Diagnostic("the path leaves the {scanned surface} at ", Place(queries[off - feet.begin()]),
                          ": the {scan} has a gap or a ragged rim there; {scan it again, more densely}, or cut the ragged part away")};
     const auto count = static_cast<std::int64_t>(end - begin);
+    if (kept)
+      kept->feet.resize(end);
 #pragma omp parallel for schedule(static, 1024)
     for (std::int64_t k = 0; k < count; ++k) {
+      if (kept)
+        kept->feet[begin + k] = {feet[k].position, feet[k].normal, feet[k].nearest_distance, feet[k].nearest};
       const std::size_t next = begin + k + 1 < looked.size() ? looked[begin + k + 1] : n;
       for (std::size_t i = looked[begin + k]; i < next; ++i)
         steps[i] = stepAt(i, feet[k]);
@@ -109,7 +123,7 @@ straightTo(const LinkedPath& path, const std::vector<double>& steps, std::size_t
 
 Status
 samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<SpiralPoint>& points,
-           double& longest_step)
+           double& longest_step, CurveFeet* feet)
 {
   points.clear();
   if (const Status status = checkGiven(path.points.size(), "the linked path"); !status.ok())
@@ -117,23 +131,37 @@ samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings&
   if (const Status status = checkBasis(path.basis, {settings.tool_radius, settings.scallop_height}, "the linked path"); !status.ok())
     return status;
   std::vector<double> steps;
-  if (const Status status = allowedSteps(path, surface, settings, steps); !status.ok())
+  LookedAt looked;
+  if (const Status status = allowedSteps(path, surface, settings, steps, feet ? &looked : nullptr); !status.ok())
     return status;
   longest_step = *std::max_element(steps.begin(), steps.end()) / step_reserve;
-  points.push_back({path.points.front(), path.turns.front()});
+  std::vector<std::uint32_t> of_point;
+  std::size_t at = 0; // in what was looked at
+  /** Adds point i of the path. */
+  const auto add = [&](std::size_t i, bool begins_pass) {
+    points.push_back({path.points[i], path.turns[i], begins_pass});
+    while (at < looked.points.size() && looked.points[at] < i)
+      ++at;
+    of_point.resize(points.size(), CurveFeet::none);
+    if (at < looked.points.size() && looked.points[at] == i)
+      of_point.back() = static_cast<std::uint32_t>(at);
+  };
+  add(0, false);
   for (std::size_t i = 0; i + 1 < path.points.size();) {
     if (beginsPass(path.passes, i + 1)) {
-      ++i;
-      points.push_back({path.points[i], path.turns[i], true});
+      add(++i, true);
       continue;
     }
     const std::size_t next = straightTo(path, steps, i, straight_share * settings.chord_error);
     const Eigen::Vector3d d = path.points[next] - path.points[i];
     const auto parts = std::max(1, static_cast<int>(std::ceil(d.norm() / std::min(steps[i], steps[next]))));
-    for (int k = 1; k <= parts; ++k)
+    for (int k = 1; k < parts; ++k)
       points.push_back({path.points[i] + d * k / parts, path.turns[i] + (path.turns[next] - path.turns[i]) * k / parts});
+    add(next, false);
     i = next;
   }
+  if (feet)
+    *feet = {std::move(looked.feet), std::move(of_point)};
   return Status::success();
 }
 

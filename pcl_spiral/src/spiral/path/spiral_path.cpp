@@ -112,7 +112,7 @@ measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& 
 
 Status
 putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
-             const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach)
+             const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach, const CurveFeet* known)
 {
   if (const Status status = checkGiven(curve.size(), "the curve"); !status.ok())
     return status;
@@ -125,33 +125,46 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
   for (std::size_t i = 1; i < curve.size(); ++i)
     if (curve[i].begins_pass)
       path.passes.push_back(i);
-  std::vector<Eigen::Vector3d> queries;
+  const bool refuses_tight = settings.tight == TightHandling::Refuse; // told by the curvature of all feet
+  const auto footOf = [&](std::size_t i) { return known && !refuses_tight ? known->find(i) : nullptr; };
+  const auto set = [&](std::size_t i, const auto& foot) {
+    path.contacts[i] = foot.position;
+    path.normals[i] = foot.normal;
+    path.over_gap[i] = isOverGap(surface, foot.position, foot.nearest, foot.nearest_distance);
+    path.turns[i] = static_cast<float>(curve[i].turn);
+  };
+  std::vector<std::size_t> asked;
+  Polyline queries;
   std::vector<SurfaceFoot> feet;
   for (std::size_t begin = 0; begin < curve.size(); begin += report_chunk) {
     const std::size_t end = std::min(curve.size(), begin + report_chunk);
-    const auto count = static_cast<std::int64_t>(end - begin);
-    queries.resize(end - begin);
+    asked.clear();
+    queries.clear();
+    for (std::size_t i = begin; i < end; ++i)
+      if (!footOf(i)) {
+        asked.push_back(i);
+        queries.push_back(curve[i].position);
+      }
 #pragma omp parallel for schedule(static)
-    for (std::int64_t i = 0; i < count; ++i)
-      queries[i] = curve[begin + i].position;
+    for (auto i = static_cast<std::int64_t>(begin); i < static_cast<std::int64_t>(end); ++i)
+      if (const CurveFoot* const foot = footOf(i))
+        set(i, *foot);
     pathFeet(surface, queries, feet);
+    const auto count = static_cast<std::int64_t>(asked.size());
     std::int64_t first_bad = count;
 #pragma omp parallel for schedule(static) reduction(min : first_bad)
-    for (std::int64_t i = 0; i < count; ++i) {
-      if (!feet[i].valid)
-        first_bad = std::min(first_bad, i);
-      path.contacts[begin + i] = feet[i].position;
-      path.normals[begin + i] = feet[i].normal;
-      path.over_gap[begin + i] = isOverGap(feet[i], surface);
-      path.turns[begin + i] = static_cast<float>(curve[begin + i].turn);
+    for (std::int64_t k = 0; k < count; ++k) {
+      if (!feet[k].valid)
+        first_bad = std::min(first_bad, k);
+      set(asked[k], feet[k]);
     }
     if (first_bad < count) {
-      const SpiralPoint& asked = curve[begin + first_bad];
+      const SpiralPoint& off = curve[asked[first_bad]];
       return {StatusCode::Failed,
-              Diagnostic("the path leaves the {scanned surface} at ", Place(asked.position), " in turn ", asked.turn,
+              Diagnostic("the path leaves the {scanned surface} at ", Place(off.position), " in turn ", off.turn,
                          ": the {scan} has a gap or a ragged rim there; {scan it again, more densely}, or cut the ragged part away")};
     }
-    if (settings.tight == TightHandling::Refuse)
+    if (refuses_tight)
       for (const SurfaceFoot& foot : feet)
         tight.add(foot);
     if (progress && !progress(static_cast<double>(end) / static_cast<double>(curve.size()), "projection"))

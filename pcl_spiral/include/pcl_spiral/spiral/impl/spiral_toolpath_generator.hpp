@@ -208,7 +208,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
       return made;
     const SpiralTurns& turns = attempt.turns;
     if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step, partOf(progress_, 0.65, 0.9), path,
-                                           gaps, reach.get());
+                                           gaps, reach.get(), &turns.feet);
         !status.ok())
       return status;
   }
