@@ -139,18 +139,19 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
   for (std::size_t begin = 0; begin < curve.size(); begin += report_chunk) {
     const std::size_t end = std::min(curve.size(), begin + report_chunk);
     asked.clear();
-    queries.clear();
     for (std::size_t i = begin; i < end; ++i)
-      if (!footOf(i)) {
+      if (!footOf(i))
         asked.push_back(i);
-        queries.push_back(curve[i].position);
-      }
+    const auto count = static_cast<std::int64_t>(asked.size());
+    queries.resize(asked.size());
+#pragma omp parallel for schedule(static)
+    for (std::int64_t k = 0; k < count; ++k)
+      queries[k] = curve[asked[k]].position;
 #pragma omp parallel for schedule(static)
     for (auto i = static_cast<std::int64_t>(begin); i < static_cast<std::int64_t>(end); ++i)
       if (const CurveFoot* const foot = footOf(i))
         set(i, *foot);
     pathFeet(surface, queries, feet);
-    const auto count = static_cast<std::int64_t>(asked.size());
     std::int64_t first_bad = count;
 #pragma omp parallel for schedule(static) reduction(min : first_bad)
     for (std::int64_t k = 0; k < count; ++k) {
