@@ -11,6 +11,7 @@
 #include <pcl/console/print.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -145,7 +146,9 @@ ProgramPlanner::make(MachineProgram& program)
   if (const Status status = makeLinked({}, program); !status.ok() || program.report.links == 0)
     return status;
   std::vector<std::size_t> blocked;
-  const Status status = findBlockedLinks(leadCheckOf(planned_.whole, planned_.tool), program, 0.5 * settings_.lead_length, blocked);
+  LeadCheck<pcl::PointXYZ> check = leadCheckOf(planned_.whole, planned_.tool);
+  check.setProgressCallback(progress_);
+  const Status status = findBlockedLinks(std::move(check), program, 0.5 * settings_.lead_length, blocked);
   return !status.ok() || blocked.empty() ? status : makeLinked(blocked, program);
 }
 

@@ -229,6 +229,38 @@ TEST(ProgramPlanner, RapidsOfPassesCrossAboveWhatStandsBesideAChosenPart)
   }
 }
 
+TEST(ProgramPlanner, LinksAreLookedAtWithProgressAndCanBeCancelled)
+{
+  Driver planner;
+  planner.setInputCloud(cap());
+  setTool(planner);
+  planner.compute();
+  ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  ProgramPlanner programs;
+  programs.setQuiet(true);
+  programs.setInputPlan(planner.getPlan());
+  programs.setMachine(xyzacTrunnion());
+  MachineProgram program;
+  for (const double stay_down : {0.0, 60.0}) {
+    ProgramSettings settings;
+    settings.stay_down = stay_down;
+    programs.setSettings(settings);
+    int searches = 0;
+    programs.setProgressCallback([&searches](double share, const std::string& stage) {
+      searches += share == 0.0 && stage == "leads";
+      return true;
+    });
+    programs.compute(program);
+    ASSERT_TRUE(programs.getStatus().ok()) << programs.getStatus().message();
+    EXPECT_EQ(searches, stay_down > 0.0 ? 2 : 1) << "leads, and before them the links";
+  }
+  EXPECT_GT(program.report.links, 0U);
+  programs.setProgressCallback([](double, const std::string&) { return false; });
+  programs.compute(program);
+  EXPECT_EQ(programs.getStatus().code(), StatusCode::Cancelled);
+  EXPECT_TRUE(program.blocks.empty());
+}
+
 TEST(DrivePlanner, ACutterThatIsNoneIsRefused)
 {
   Driver planner;
