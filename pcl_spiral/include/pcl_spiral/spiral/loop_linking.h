@@ -30,8 +30,8 @@ Status linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const 
 
 /** Points of \p path. They are so close that linear moves keep the chord error of \p settings, on the surface and at the ball's
  *  centre, and the longest step. Points within a fifth of the chord error of a straight move are left out. \p longest_step: the
- *  longest move allowed anywhere, mm. The first point of each pass is marked. \p feet: those found on the way, for putOnSurface. Fails where the path leaves the surface, and for another
- *  tool radius or scallop height than those of the path. */
+ *  longest move allowed anywhere, mm. The first point of each pass is marked. \p feet: those found on the way, for putOnSurface. Fails
+ *  where the path leaves the surface, and for another tool radius or scallop height than those of the path. */
 Status samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<SpiralPoint>& points,
                   double& longest_step, CurveFeet* feet = nullptr);
 
