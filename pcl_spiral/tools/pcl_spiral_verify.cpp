@@ -67,8 +67,9 @@ judgeAndShow(const VerifyJob& job, const JudgedScan& scan, const std::string& fi
   inRegion(part.region, [&] {
     ProgressBar bar(job.quiet);
     judge.setProgress([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
-    if (filed.path.program || (part.cloud && !filed.path.has_contacts))
+    if (part.cloud)
       require(job.scan(), judge.makeReference(region));
+    bar.clear();
     require(file, judge.judge(filed.path, region, judged));
   });
   if (!job.quiet) {
@@ -80,7 +81,8 @@ judgeAndShow(const VerifyJob& job, const JudgedScan& scan, const std::string& fi
   else
     for (const Diagnostic& broken : judged.verification.broken)
       std::cerr << "pcl_spiral_verify: " << inWords(Diagnostic(nameOf(judged.verification), ": ", broken)) << '\n';
-  warn(job, warningsOf(judged.verification));
+  const bool alone = job.paths.size() == 1 && judge.parts().size() == 1;
+  warn(job, ofRegion(alone ? std::string() : nameOf(judged.verification), warningsOf(judged.verification)));
   outputs.take(scan.input, part, judged, filed.feed);
   return judged.verification.broken.empty();
 }
@@ -92,7 +94,9 @@ toolLean(const VerifyJob& job, const JudgedInput& input)
   double most = 0.0;
   for (const std::string& file : job.part.keep_outs.empty() ? std::vector<std::string>() : job.paths) {
     double lean = 0.0;
-    require(file, toolLean(input, readPath(job, file).path, lean));
+    bool of_scan = false;
+    const Status status = toolLean(input, readPath(job, file).path, lean, of_scan);
+    require(of_scan ? job.scan() : file, status);
     most = std::max(most, lean);
   }
   return most;

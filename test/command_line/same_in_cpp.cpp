@@ -454,6 +454,29 @@ TEST_F(SameInCpp, TheJudgementOfAProgram)
     EXPECT_EQ(json["deviation"]["rms"].get<double>(), found.deviation.rms);
     EXPECT_EQ(json["material"]["gouge"]["value"].get<double>(), found.removal.gouge.value);
     EXPECT_EQ(json["deviation"]["points"].get<std::size_t>(), verifier.getJudgedPath()->size());
+    ProgramFile unread = *verifier.getInputProgram(); // as a program that was just made: no text
+    unread.lines.clear();
+    verifier.setInputProgram(unread);
+    double last = 0.0;
+    bool never_back = true;
+    verifier.setProgressCallback([&](double share, const std::string&) {
+      never_back = never_back && share >= last && share <= 1.0;
+      last = share;
+      return true;
+    });
+    Verification again;
+    verifier.compute(again);
+    EXPECT_EQ(again.removal.gouge.value, found.removal.gouge.value);
+    ASSERT_EQ(again.program->lines.size(), found.program->lines.size());
+    EXPECT_LE(again.program->lines.back(), again.program->blocks) << "blocks are counted";
+    EXPECT_TRUE(never_back);
+    unread.lines = {1, 2};
+    verifier.setInputProgram(unread);
+    verifier.compute(again);
+    EXPECT_EQ(verifier.getStatus().code(), StatusCode::InvalidInput);
+    verifier.setInputProgram(ProgramFile());
+    verifier.compute(again);
+    EXPECT_NE(verifier.getStatus().message().find("the program is empty"), std::string::npos);
   }
 }
 
@@ -461,7 +484,8 @@ TEST_F(SameInCpp, TheJudgementOfTwoRegions)
 {
   const Arguments regions{"--region",      "east.txt", "--region",  "west.txt", "--crop", "-130,-20,-50,50,-2,50",
                           "--tool-radius", "4",        "--scallop", "0.05"};
-  Arguments make{"scan.xyz", "-o", "path.csv"}, verify{"scan.xyz", "path.csv", "-o", "v.json"};
+  Arguments make{"scan.xyz", "-o", "path.csv", "--stock", "made.ply"},
+      verify{"scan.xyz", "path.csv", "-o", "v.json", "--stock", "left.ply"};
   for (Arguments* arguments : {&make, &verify})
     arguments->insert(arguments->end(), regions.begin(), regions.end());
   ASSERT_EQ(run(PCL_SPIRAL_TOOLPATH_PROGRAM, make).code, 0);
@@ -473,16 +497,33 @@ TEST_F(SameInCpp, TheJudgementOfTwoRegions)
   verifier.addRegion({polygon("east.txt"), std::nullopt, ""});
   verifier.addRegion({polygon("west.txt"), std::nullopt, ""});
   verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(read.path));
-  verifier.setInputTips(read.tips);
+  Polyline tips = read.tips;
+  tips[5].z() += 0.5;
+  verifier.setInputTips(tips);
   verifier.setCutter(CutterShape::ball(4.0));
+  double last = 0.0;
+  bool never_back = true;
+  verifier.setProgressCallback([&](double share, const std::string&) {
+    never_back = never_back && share >= last && share <= 1.0;
+    last = share;
+    return true;
+  });
   Verification one;
   verifier.compute(one);
   EXPECT_FALSE(verifier.getStatus().ok()); // each region has its own
   std::vector<Verification> found;
   verifier.compute(found);
   ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+  EXPECT_TRUE(never_back) << "progress goes from 0 to 1, once";
   const nlohmann::json json = nlohmann::json::parse(readText(folder_.path("v.json")))["paths"];
   ASSERT_EQ(found.size(), 2U);
+  StockMesh left;
+  for (std::size_t i = 0; i < 2; ++i)
+    append(stockMesh(*verifier.getReferenceSurface(i), verifier.getHeights(i).stock), left);
+  writeStock(folder_.path("cpp.ply"), left);
+  EXPECT_EQ(readText(folder_.path("cpp.ply")), readText(folder_.path("left.ply"))) << "of both regions";
+  EXPECT_EQ(readText(folder_.path("cpp.ply")).size(), readText(folder_.path("made.ply")).size()) << "by the planner's own judge";
+  EXPECT_EQ(found[0].tips_off + found[1].tips_off, 1U) << "of the region that the tip is in";
   ASSERT_EQ(json.size(), 2U);
   EXPECT_EQ(verifier.getJudgedPath(0)->size() + verifier.getJudgedPath(1)->size(), read.path.size());
   for (std::size_t i = 0; i < 2; ++i) {
@@ -524,6 +565,18 @@ TEST_F(SameInCpp, TipsWithoutContacts)
     farthest = std::max<double>(farthest, std::abs(apart.dot(made.path[i].getNormalVector3fMap())));
   }
   EXPECT_LT(farthest, 0.002);
+  const std::size_t judged = found.deviation.points;
+  verifier.addKeepOut(polygon("keep.txt")); // the tool leans as that of the contacts, and as many points are left to it
+  verifier.compute(found);
+  ASSERT_TRUE(verifier.getStatus().ok()) << verifier.getStatus().message();
+  EXPECT_EQ(found.deviation.points, judged);
+  const std::size_t beside_tips = verifier.getReferenceSurface()->scanned().size();
+  verifier.setHasContacts(true);
+  verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(made.path));
+  verifier.compute(found);
+  EXPECT_NEAR(static_cast<double>(verifier.getReferenceSurface()->scanned().size()), static_cast<double>(beside_tips), 20.0);
+  verifier.clearPart();
+  verifier.setHasContacts(false);
   verifier.setInputTips({});
   verifier.compute(found);
   EXPECT_EQ(verifier.getStatus().code(), StatusCode::InvalidInput) << "no tips";

@@ -387,6 +387,10 @@ TEST_F(Verify, WrongCallsAndDataAreRefused)
   }
   EXPECT_EQ(code({"cap.xyz", "cap.vtp", "--tool-radius", "3", "-o", "cap.vtp"}), 2);
   EXPECT_NE(last_.err.find("cap.vtp, which is read"), std::string::npos) << last_.err;
+  writeText(folder_.path("region.ply"), "-9 -9\n9 -9\n9 9\n-9 9\n");
+  EXPECT_EQ(code({"cap.xyz", "cap.csv", "--tool-radius", "3", "--region", "region.ply", "--stock", "region.ply"}), 2);
+  EXPECT_NE(last_.err.find("region.ply, which is read"), std::string::npos) << last_.err;
+  EXPECT_EQ(code({"", "cap.csv", "--tool-radius", "3"}), 2);
 }
 
 TEST_F(Verify, AJobFileSaysWhatTheCommandLineSays)

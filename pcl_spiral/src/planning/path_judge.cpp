@@ -18,7 +18,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double share_of_reading = 0.3; // of the progress, for a path whose surface is needed before it is judged
+constexpr double share_of_reading = 0.3;   // of the progress, for a path whose surface is needed before it is judged
+constexpr double share_of_choosing = 0.25; // of the progress of judging, for what comes before
 
 /** The points \p own of \p path; no arc length is added on the way from pass to pass. */
 pcl::PointCloud<ToolpathPoint>
@@ -105,8 +106,9 @@ PathJudge::prepare(const JudgedInput& input, double lean)
   }
   if (parts_.size() < 2)
     return Status::success();
+  const auto share = [this](std::size_t k) { return static_cast<double>(k) / static_cast<double>(parts_.size()); };
   for (std::size_t region = 0; region < parts_.size(); ++region)
-    if (const Status status = makeReference(region); !status.ok())
+    if (const Status status = makeReference(region, share(region), share(region + 1)); !status.ok())
       return {status.code(), textOfRegion(parts_[region].region, status.diagnostic())};
   passes_ = std::make_unique<RegionPasses>(parts_);
   return Status::success();
@@ -114,6 +116,12 @@ PathJudge::prepare(const JudgedInput& input, double lean)
 
 Status
 PathJudge::makeReference(std::size_t region)
+{
+  return makeReference(region, 0.0, 1.0);
+}
+
+Status
+PathJudge::makeReference(std::size_t region, double from, double to)
 {
   JudgedPart& part = parts_[region];
   const JudgeSettings& settings = input_.settings;
@@ -133,7 +141,7 @@ PathJudge::makeReference(std::size_t region)
   scanned.setLargestPart(settings.largest_part);
   scanned.setNumberOfThreads(settings.threads);
   scanned.setQuiet(true);
-  scanned.setProgressCallback([this](double share, const std::string&) { return input_.progress(share_of_reading * share, "reference"); });
+  scanned.setProgressCallback(withStage(partOf(input_.progress, from, to, "reference")));
   Surface::ConstPtr surface;
   scanned.compute(surface);
   if (scanned.getStatus().ok())
@@ -147,30 +155,31 @@ PathJudge::readContacts(const GivenPath& given, std::size_t region, JudgedPath& 
   const JudgedPart& part = parts_[region];
   const CutterShape& cutter = input_.settings.cutter;
   *judged.path = *given.path;
-  judged.tips = isBall(cutter) ? Polyline() : given.tips;
   if (!given.has_contacts) {
     if (!part.cloud)
       return {StatusCode::InvalidInput,
-              "holds tips and axes without contacts, and is judged by the points of a scan: give them, or read the "
-              "vertices of the mesh as one ({readCloud})"};
+              "the path has tips and axes without contacts, which are found on a scan, and a mesh is given: read its "
+              "vertices as a scan ({readCloud})"};
     if (passes_)
-      return {StatusCode::InvalidInput, "holds tips and axes without contacts: give one region at a time"};
-    if (const Status status = makeReference(region); !status.ok())
+      return {StatusCode::InvalidInput, "the path has tips and axes without contacts: give one region at a time"};
+    if (const Status status = makeReference(region, 0.0, share_of_reading); !status.ok())
       return status;
     findContacts(*part.reference, cutter, given.tips, *judged.path);
   }
-  else if (const Diagnostic warning = checkTips(*given.path, given.tips, cutter, judged.verification); !warning.empty())
-    judged.verification.removal.warnings.push_back(warning);
-  if (!passes_)
-    return Status::success();
-  const std::vector<std::size_t> own = passes_->pointsOf(region, *given.path);
-  if (own.empty())
-    return {StatusCode::InvalidInput, "no pass of the path is on this region; give the regions that the path was made for"};
-  *judged.path = pointsOf(*given.path, own);
-  Polyline tips;
-  for (std::size_t k = 0; k < own.size() && !judged.tips.empty(); ++k)
-    tips.push_back(judged.tips[own[k]]);
-  judged.tips = std::move(tips);
+  Polyline tips = given.tips;
+  if (passes_) {
+    const std::vector<std::size_t> own = passes_->pointsOf(region, *given.path);
+    if (own.empty())
+      return {StatusCode::InvalidInput, "no pass of the path is on this region; give the regions that the path was made for"};
+    *judged.path = pointsOf(*given.path, own);
+    tips.clear();
+    for (std::size_t k = 0; k < own.size() && !given.tips.empty(); ++k)
+      tips.push_back(given.tips[own[k]]);
+  }
+  if (given.has_contacts)
+    if (const Diagnostic warning = checkTips(*judged.path, tips, cutter, judged.verification); !warning.empty())
+      judged.verification.removal.warnings.push_back(warning);
+  judged.tips = isBall(cutter) ? Polyline() : std::move(tips);
   return Status::success();
 }
 
@@ -205,24 +214,27 @@ PathJudge::judge(const GivenPath& given, std::size_t region, JudgedPath& judged)
   warnings.insert(warnings.begin(), of_file.begin(), of_file.end());
   if (!(settings.cutter.radius > 0.0))
     return Status::success();
-  RawScanFigures raw;
-  if (input_.raw)
+  if (input_.raw && !part.raw) {
+    RawScanFigures raw;
     if (const Status status = compareRawScan(*input_.raw, part.reference->scanned(), raw); !status.ok())
       return {status.code(), Diagnostic(input_.raw_name, ": ", status.diagnostic())};
+    part.raw = std::move(raw);
+  }
   const JudgedSurroundings around{part.chosen.keep_outs, part.chosen.kept_out, part.chosen.beside, input_.cloud};
-  addVerdicts(input_.limits, around, *part.reference, judged.path, settings, input_.raw ? &raw : nullptr, input_.raw_name,
+  addVerdicts(input_.limits, around, *part.reference, judged.path, settings, part.raw ? &*part.raw : nullptr, input_.raw_name,
               judged.verification);
   return Status::success();
 }
 
 Status
-toolLean(const JudgedInput& input, const GivenPath& given, double& lean)
+toolLean(const JudgedInput& input, const GivenPath& given, double& lean, bool& of_scan)
 {
   const SpiralSettings usual;
   lean = 0.0;
+  of_scan = false;
   if (input.choice.keep_outs.empty() || input.settings.mesh)
     return Status::success();
-  if (!given.program) {
+  if (!given.program && given.has_contacts) {
     lean = leanOf(*given.path);
     return Status::success();
   }
@@ -231,8 +243,12 @@ toolLean(const JudgedInput& input, const GivenPath& given, double& lean)
     return Status::success();
   PathJudge upright; // leaves no place out
   JudgedPath judged;
+  of_scan = true;
   if (const Status status = upright.prepare(input, 0.0); !status.ok())
     return status;
+  if (const Status status = upright.makeReference(0); !status.ok())
+    return status;
+  of_scan = false;
   const Status status = upright.read(given, 0, judged);
   lean = leanOf(*judged.path);
   return status;
@@ -243,6 +259,11 @@ namespace {
 Status
 checkJudging(const JudgedInput& input, const GivenPath& given)
 {
+  if (given.program && given.program->program.blocks.empty())
+    return {StatusCode::InvalidInput, "the program is empty: call {setInputProgram} with one that has moves"};
+  if (given.program && !given.program->lines.empty() && given.program->lines.size() != given.program->program.blocks.size())
+    return {StatusCode::InvalidInput, Diagnostic("the program has ", given.program->program.blocks.size(), " blocks and ",
+                                                 given.program->lines.size(), " lines: give one line for each block, or none")};
   if (!given.program && (!given.path || given.path->empty()))
     return {StatusCode::InvalidInput, "the path is missing or empty: call {setInputToolpath} with points"};
   const bool may_lack = given.program || (given.has_contacts && given.tips.empty());
@@ -272,14 +293,18 @@ verifyPath(const JudgedInput& input, const GivenPath& given, PathJudge& judge, s
   if (const Status status = checkJudging(input, given); !status.ok())
     return status;
   double lean = 0.0;
-  if (const Status status = toolLean(input, given, lean); !status.ok())
+  bool of_scan = false;
+  JudgedInput choosing = input;
+  choosing.progress = partOf(input.progress, 0.0, 0.5 * share_of_choosing);
+  if (const Status status = toolLean(choosing, given, lean, of_scan); !status.ok())
     return status;
-  if (const Status status = judge.prepare(input, lean); !status.ok())
+  choosing.progress = partOf(input.progress, 0.5 * share_of_choosing, share_of_choosing);
+  if (const Status status = judge.prepare(choosing, lean); !status.ok())
     return status;
   const std::size_t regions = judge.parts().size();
   judged.resize(regions);
   for (std::size_t region = 0; region < regions; ++region) {
-    judge.setProgress(progressOf(input.progress, region, regions));
+    judge.setProgress(progressOf(partOf(input.progress, share_of_choosing, 1.0), region, regions));
     if (const Status status = judge.judge(given, region, judged[region]); !status.ok())
       return {status.code(), textOfRegion(judge.parts()[region].region, status.diagnostic())};
   }

@@ -6,6 +6,7 @@
 #include "verify/program_pace.h"
 #include "verify/program_path.h"
 #include <pcl_spiral/collision/impl/way_check.h>
+#include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
@@ -13,11 +14,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace pcl_spiral {
 namespace {
 
+constexpr double share_of_reference = 0.2, share_of_reading_program = 0.3; // of the progress; the rest is for judging
 constexpr double share_of_tolerance = 0.2;                     // of the chord error, that the way between the points of the path may be off
 constexpr double scallops_in_air = 20.0, noises_in_air = 10.0; // a cutter higher than this above the scan does not cut
 
@@ -101,7 +104,7 @@ PathJudge::checkOtherMoves(const ProgramFile& read, const JudgedPart& part, Prog
   check.setLargestEcho(largest_echo);
   check.setNumberOfThreads(input_.settings.threads);
   check.setQuiet(true);
-  check.setProgressCallback([this](double share, const std::string&) { return input_.progress(share, "moves that do not cut"); });
+  check.setProgressCallback(withStage(partOf(input_.progress, share_of_reference, share_of_reading_program, "moves that do not cut")));
   check.compute(read.program);
   if (!check.getStatus().ok())
     return check.getStatus();
@@ -117,11 +120,15 @@ PathJudge::checkOtherMoves(const ProgramFile& read, const JudgedPart& part, Prog
 Status
 PathJudge::readProgram(const ProgramFile& file, std::size_t region, JudgedPath& judged)
 {
-  if (const Status status = makeReference(region); !status.ok())
+  if (const Status status = makeReference(region, 0.0, share_of_reference); !status.ok())
     return status;
   const JudgedPart& part = parts_[region];
   const CutterShape& cutter = input_.settings.cutter;
   ProgramFile read = file;
+  if (read.lines.empty()) {
+    read.lines.resize(read.program.blocks.size());
+    std::iota(read.lines.begin(), read.lines.end(), std::size_t{1});
+  }
   ProgramPathSettings settings;
   settings.cutter = cutter;
   settings.tolerance = share_of_tolerance * input_.settings.chord_error;

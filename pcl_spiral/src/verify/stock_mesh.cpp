@@ -43,4 +43,14 @@ stockMesh(const ReferenceSurface& reference, const std::vector<float>& stock)
   return mesh;
 }
 
+void
+append(const StockMesh& more, StockMesh& mesh)
+{
+  const auto first = static_cast<std::uint32_t>(mesh.places.size());
+  mesh.places.insert(mesh.places.end(), more.places.begin(), more.places.end());
+  mesh.stock.insert(mesh.stock.end(), more.stock.begin(), more.stock.end());
+  for (const Triangulation::Triangle& t : more.triangles)
+    mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+}
+
 } // namespace pcl_spiral

@@ -16,7 +16,8 @@ settingTable(Limits& l)
       Setting("max_deviation", "Limits::deviation", "limit on the deviation", "largest distance of the contacts from the surface", "0.02",
               l.deviation)
           .in("mm", NumberRange::from(0.0)),
-      Setting("max_uncut", "Limits::uncut", "limit on uncut points", "points of the surface that are not cut", "0.5", l.uncut)
+      Setting("max_uncut", "Limits::uncut", "limit on uncut points", "largest share of the points of the surface that are not cut", "0.5",
+              l.uncut)
           .in("percent", NumberRange::from(0.0)),
   };
 }

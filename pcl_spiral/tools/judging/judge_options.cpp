@@ -19,7 +19,12 @@ judgedFiles(JudgeOptions& job, const std::string& files_help)
   addOptions(group, readOptions(job.read));
   std::vector<Option> part = regionOptions(job.part, job.regions);
   for (Option& option : part)
-    option.help = "as given for the path: " + option.help;
+    if (option.name == "part-at")
+      option.help = "a place on the part, in the coordinates of the file, as given for the path; once for each region: --part-at 120,80,15";
+    else if (option.name == "region")
+      option.help = "polygon of a region, as given for the path; once for each region, which are judged one by one: --region left.txt";
+    else
+      option.help = "as given for the path: " + option.help;
   addOptions(group, part);
   addOptions(group, {{"clusters", "ride|leave-out",
                       "two or more points near each other that stand off the surface: the cutter must ride over them, or they are false "

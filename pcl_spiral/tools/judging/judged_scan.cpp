@@ -40,7 +40,7 @@ readJudged(const JudgeOptions& options)
   judged.side = sideOf(scan, fromScan(options.settings.view_point));
   input.cloud = scan.cloud;
   input.normals = judged.side.normals;
-  input.surface.view_point = judged.side.view_point;
+  input.surface.view_point = input.settings.view_point = judged.side.view_point;
   input.surface.trust_normals = false; // they come from a file: normals without a common side are not used, with a warning
   input.surface.flip_normals = options.settings.flip_normals;
   input.choice = choiceOf(options.part, options.read);

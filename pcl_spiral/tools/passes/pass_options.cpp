@@ -40,7 +40,7 @@ motionOptions(PassJob& job)
 OptionGroup
 runOptions(PassJob& job)
 {
-  OptionGroup group = runOptions(job, job.threads);
-  addOptions(group, {switchOption("verbose", "print more", job.verbose)});
+  OptionGroup group{"Run", {switchOption("verbose", "print more", job.verbose)}};
+  addOptions(group, runOptions(job, job.threads).options);
   return group;
 }

@@ -49,7 +49,8 @@ jobOf(const std::string& file, const YAML::Node& root)
   if (options && options.IsMap())
     return options;
   if (const YAML::Node settings = root["settings"]; settings && settings.IsMap())
-    throw FileError(file, "this report does not have the options of its run, as reports of earlier versions; write them into a job file");
+    throw FileError(file, "this report does not have the options of its run, as those of pcl_spiral_verify and of earlier versions; write "
+                          "them into a job file");
   return root;
 }
 

@@ -145,11 +145,12 @@ limitOptions(Job& job)
 OptionGroup
 running(Job& job)
 {
-  OptionGroup group = runOptions(job, job.settings.threads);
-  addOptions(group, {switchOption("verify", "check the path against the scan or mesh: deviation, scallop, gouge; about doubles the time",
-                                  job.verify),
-                     switchOption("verbose", "print more: the time of each stage", job.verbose)});
+  OptionGroup group{
+      "Run",
+      {switchOption("verify", "check the path against the scan or mesh: deviation, scallop, gouge; about doubles the time", job.verify)}};
   addOptions(group, limitOptions(job));
+  addOptions(group, {switchOption("verbose", "print more: the time of each stage", job.verbose)});
+  addOptions(group, runOptions(job, job.settings.threads).options);
   return group;
 }
 

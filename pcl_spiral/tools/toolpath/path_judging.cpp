@@ -78,6 +78,7 @@ judge(const Job& job, Result& result)
     const int before = region.report.passes;
     inRegion(region.region, [&] { judgeOne(job, result.side, region, result.regions[k]); });
     result.plan.report.passes += region.report.passes - before;
+    append(result.regions[k].left, result.judged.left);
     const Heights& own = result.regions[k].heights;
     for (const auto values : {&Heights::deviation, &Heights::scallop}) {
       std::vector<float>& all = result.judged.heights.*values;

@@ -53,11 +53,8 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
     if (extensionOf(files_.path(i)) == ".vtp")
       writeToolpath(files_.temporary(i), *judged.path, {job_.settings.cutter.radius, 0.0, judged.tips, {}, scanShift()},
                     {feed, judged.heights.deviation, judged.heights.scallop});
-  if (!job_.stock.empty()) {
-    const StockMesh left = stockMesh(surface, judged.heights.stock);
-    for (std::size_t i = 0; i < job_.stock.size(); ++i)
-      writeStock(files_.temporary(files_.size() - job_.stock.size() + i), left, scanShift());
-  }
+  if (!job_.stock.empty())
+    append(stockMesh(surface, judged.heights.stock), left_);
   verifications_.push_back(judged.verification);
 }
 
@@ -84,6 +81,8 @@ try {
     else
       ++i; // written when the path was taken
   }
+  for (std::size_t k = 0; k < job_.stock.size(); ++k)
+    writeStock(files_.temporary(files_.size() - job_.stock.size() + k), left_, scanShift());
   files_.commit();
 }
 catch (const FileError& error) {

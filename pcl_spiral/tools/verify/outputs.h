@@ -9,6 +9,7 @@
 #include <pcl_spiral/io/output_files.h>
 #include <pcl_spiral/io/verification_writer.h>
 #include <pcl_spiral/planning/impl/path_judge.h>
+#include <pcl_spiral/verify/stock_mesh.h>
 
 /** Collects the results of each path, then writes the files. */
 class VerifyOutputs {
@@ -28,6 +29,7 @@ private:
   std::optional<pcl_spiral::JudgedMesh> mesh_; ///< absent: a scan
   pcl_spiral::OutputFiles files_;
   PictureFiles pictures_;
+  pcl_spiral::StockMesh left_; ///< of the path, over all regions
   std::vector<pcl_spiral::Verification> verifications_;
   std::vector<std::vector<pcl_spiral::ReportPicture>> report_pictures_; ///< of each path
 };

@@ -58,8 +58,11 @@ refuseInputs(const VerifyJob& job)
   inputs.push_back(job.scan());
   if (!job.raw_scan.empty())
     inputs.push_back(job.raw_scan);
-  if (!job.machine_file.empty())
-    inputs.push_back(job.machine_file);
+  for (const auto& [what, file] : polygonFiles(job.part, job.regions))
+    inputs.push_back(file);
+  for (const std::string& file : {job.machine_file, job.config_file})
+    if (!file.empty())
+      inputs.push_back(file);
   std::error_code error;
   for (const std::string& file : filesOf(job))
     for (const std::string& input : inputs)
@@ -87,7 +90,7 @@ void
 complete(VerifyJob& job)
 {
   completeJudging(job);
-  require(!job.files.empty(), "no scan is given; give the scan and then the paths, such as part.pcd part.csv");
+  require(!job.files.empty() && !job.scan().empty(), "no scan is given; give the scan and then the paths, such as part.pcd part.csv");
   require(job.files.size() > 1, "no path is given after the scan; give at least one, such as part.csv");
   require(isGiven(job, "tool-radius"), "no --tool-radius is given; give the radius of the cutter in mm, such as --tool-radius 10");
   job.paths.assign(job.files.begin() + 1, job.files.end());
@@ -166,6 +169,6 @@ printVerifyHelp(std::ostream& out)
          "verified.json\n"
          "  pcl_spiral_verify part.pcd part.ngc --machine xyzac.yaml --tool-radius 10 --max-gouge 0.01\n\n"
          "Lengths are in millimetres, angles in degrees. Exit code: 0 if every limit holds, 1 if a limit is broken\n"
-         "or the data or a file fails, 2 if the command line is wrong.\n";
+         "or the data or a file fails, 2 if the command line is wrong, or an option does not fit the scan.\n";
   printOptions(out, optionTable(job));
 }

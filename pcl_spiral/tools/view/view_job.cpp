@@ -61,6 +61,6 @@ printViewHelp(std::ostream& out)
          "they have the name of the scan.\n"
          "Lengths are in millimetres. Exit code: 0 when the window is closed, 1 if the data or a file fails or "
          "there is\n"
-         "no display, 2 if the command line is wrong.\n";
+         "no display, 2 if the command line is wrong, or an option does not fit the scan.\n";
   printOptions(out, optionTable(job));
 }

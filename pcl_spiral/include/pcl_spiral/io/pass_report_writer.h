@@ -41,14 +41,17 @@ struct RidgeRun : PassRun {
   bool closed = false;         ///< RidgePlanner::setClosed
 };
 
-/** Settings, counts, states of locations, collisions, times and warnings of a drive path. \throw FileError */
+/** Settings, counts, states of locations, collisions, times and warnings of a drive path. \throw FileError; std::invalid_argument for
+ *  an empty plan */
 void writeDriveReportJSON(const std::string& file, const RunFiles& files, const DriveRun& run, const PassPlan& plan);
 
-/** The same as one HTML file that needs no other, with \p pictures. \throw FileError */
+/** The same as one HTML file that needs no other, with \p pictures. \throw FileError; std::invalid_argument for
+ *  an empty plan */
 void writeDriveReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const DriveRun& run, const PassPlan& plan,
                           const std::vector<ReportPicture>& pictures);
 
-/** Settings, both lines, rows, locations, times and warnings of rows over a ridge. \throw FileError */
+/** Settings, both lines, rows, locations, times and warnings of rows over a ridge. \throw FileError; std::invalid_argument for
+ *  an empty plan */
 void writeRidgeReportJSON(const std::string& file, const RunFiles& files, const RidgeRun& run, const PassPlan& plan,
                           const RidgeFigures& figures);
 

@@ -54,7 +54,14 @@ struct RunReport : PathReport {
   std::vector<PathReport> regions;     ///< if there are several; what is above is then of all together, and each is judged on its own
 };
 
-/** What \p plan says. \p judged: of its path, or of each of its regions; empty: not judged. */
+/** What \p plan says. \p judged: of its path, or of each of its regions; empty: not judged.
+ *  \code
+ *  RunFiles files;
+ *  files.scan = "part.pcd";
+ *  const RunReport report = reportOf(planner.getPlan(), {found}); // a SpiralPlanner, and what PathVerifier found
+ *  writeReportJSON("part.json", files, report);
+ *  writeReportHTML("part.html", {"part.pcd", "", ""}, files, report);
+ *  \endcode */
 RunReport reportOf(const SpiralPlan& plan, const std::vector<Verification>& judged = {});
 
 /** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the figures of the path if it was judged; no

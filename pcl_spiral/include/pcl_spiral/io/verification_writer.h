@@ -39,7 +39,20 @@ struct VerificationRun {
   Vocabulary words = {};                           ///< of what the verifications say
 };
 
-/** Settings, and the figures of each path with their places. Lengths in mm, angles in degrees, times in
+/** Settings, and the figures of each path with their places; Verification::path and Verification::region name it, set them first.
+ *  \code
+ *  Verification found;
+ *  verifier.compute(found); // a PathVerifier
+ *  found.path = "part.csv";
+ *  VerificationRun run;
+ *  run.scan = "part.pcd";
+ *  run.cutter = verifier.getCutter();
+ *  run.scallop_height = verifier.getScallopHeight();
+ *  run.chord_error = verifier.getChordError();
+ *  run.limits = verifier.getLimits();
+ *  writeVerificationJSON("verified.json", run, {found});
+ *  \endcode
+ * Lengths in mm, angles in degrees, times in
  *  seconds. \throw FileError */
 void writeVerificationJSON(const std::string& file, const VerificationRun& run, const std::vector<Verification>& verifications);
 

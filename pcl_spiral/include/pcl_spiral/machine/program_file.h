@@ -19,7 +19,7 @@ struct ProgramFile {
    *  normal is the axis, and arc_length is that of the tip: the text says no more. The first block is the first place at which all axes
    *  are known; the way to it is not. */
   MachineProgram program;
-  std::vector<std::size_t> lines; ///< line of the text of each block, from 1
+  std::vector<std::size_t> lines; ///< line of the text of each block, from 1; empty: of a program without text, whose blocks are counted
   std::size_t still_line = 0;     ///< line of the first feed move with the spindle off (neither M3 nor M4 with an S); 0: none
   std::string language;           ///< word of its entry in dialect_entries, or "apt"
   bool by_vectors = false; ///< tool axes are vectors: the angles are those nearest to the ones before, and the control may choose others

@@ -172,7 +172,7 @@ private:
   JudgeSettings judge_;
   MeshSettings mesh_settings_;
   ProgressCallback progress_;
-  const JudgedPath nothing_;
+  JudgedPath nothing_;             ///< of a region that was not judged
   std::vector<JudgedPath> judged_; ///< one a region
   std::vector<std::shared_ptr<const ReferenceSurface>> references_;
 };

@@ -21,7 +21,10 @@ struct StockMesh {
 };
 
 /** The mesh of the points with a measured stock, in the order of the surface. \p stock: one value for each point that the reference was
- *  made of, as MaterialRemoval gives it. */
+ *  made of, as MaterialRemoval and PathVerifier::getHeights (Heights::stock) give it. */
 StockMesh stockMesh(const ReferenceSurface& reference, const std::vector<float>& stock);
+
+/** Adds \p more to \p mesh, as the stock of another region. */
+void append(const StockMesh& more, StockMesh& mesh);
 
 } // namespace pcl_spiral

@@ -9,6 +9,8 @@
 #include <pcl_spiral/io/pass_report_writer.h>
 #include <pcl_spiral/surface/impl/side_text.h>
 
+#include <stdexcept>
+
 namespace pcl_spiral {
 namespace {
 
@@ -98,6 +100,8 @@ void
 writeDriveReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const DriveRun& run, const PassPlan& plan,
                      const std::vector<ReportPicture>& pictures)
 {
+  if (!plan.mesh && !plan.cloud)
+    throw std::invalid_argument("writeDriveReportHTML: the plan is empty; it is one of a planner that succeeded");
   const Vocabulary words = movedBy(files.shift, files.words);
   Diagnostics warnings = files.warnings;
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());

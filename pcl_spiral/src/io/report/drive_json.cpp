@@ -7,6 +7,8 @@
 #include "io/setting_names.h"
 #include "mesh/mesh_findings.h"
 
+#include <stdexcept>
+
 namespace pcl_spiral {
 
 using Json = nlohmann::ordered_json;
@@ -60,6 +62,8 @@ meshOf(const SurfaceMesh& mesh)
 void
 writeDriveReportJSON(const std::string& file, const RunFiles& files, const DriveRun& run, const PassPlan& plan)
 {
+  if (!plan.mesh && !plan.cloud)
+    throw std::invalid_argument("writeDriveReportJSON: the plan is empty; it is one of a planner that succeeded");
   Json report = {{"program", "pcl_spiral_drive"},
                  {"scan", files.scan},
                  {"options", optionsJson(files.options)},

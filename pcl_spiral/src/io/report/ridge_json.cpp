@@ -5,6 +5,8 @@
 
 #include "io/setting_names.h"
 
+#include <stdexcept>
+
 namespace pcl_spiral {
 
 using Json = nlohmann::ordered_json;
@@ -74,6 +76,8 @@ foundOf(const ScanRidgeReport& f, const Eigen::Vector3d& shift)
 void
 writeRidgeReportJSON(const std::string& file, const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgeFigures& figures)
 {
+  if (!figures.ridge)
+    throw std::invalid_argument("writeRidgeReportJSON: the plan has no ridge; it is one of a planner that succeeded");
   Json report = {{"program", "pcl_spiral_ridge"}};
   for (const auto& [name, value] : {std::pair("rail", run.rail), std::pair("generator", run.generator), std::pair("scan", files.scan)})
     if (!value.empty())

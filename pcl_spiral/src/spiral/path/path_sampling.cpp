@@ -126,6 +126,8 @@ samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings&
            double& longest_step, CurveFeet* feet)
 {
   points.clear();
+  if (feet)
+    *feet = CurveFeet();
   if (const Status status = checkGiven(path.points.size(), "the linked path"); !status.ok())
     return status;
   if (const Status status = checkBasis(path.basis, {settings.tool_radius, settings.scallop_height}, "the linked path"); !status.ok())

@@ -59,6 +59,7 @@ struct JudgedPart {
   ChosenPart chosen;                                 ///< of the scan
   ClusterHandling clusters = ClusterHandling::Ride;  ///< what clusters on it are
   std::shared_ptr<const ReferenceSurface> reference; ///< its surface; null until a path is judged
+  std::optional<RawScanFigures> raw;                 ///< the raw scan beside it; absent until a path is judged, and without one
 };
 
 /** Judges one path after the other; the surface of each region is made once. */
@@ -82,6 +83,7 @@ public:
   Status judge(const GivenPath& given, std::size_t region, JudgedPath& judged);
 
 private:
+  Status makeReference(std::size_t region, double from, double to);
   Status readContacts(const GivenPath& given, std::size_t region, JudgedPath& judged);
   Status readProgram(const ProgramFile& file, std::size_t region, JudgedPath& judged);
   Status checkOtherMoves(const ProgramFile& read, const JudgedPart& part, ProgramFigures& figures) const;
@@ -91,9 +93,10 @@ private:
   std::unique_ptr<RegionPasses> passes_; ///< null: there is one region
 };
 
-/** How far the tool of \p given leans from the normals of the part, degrees, for PathJudge::prepare; 0 without keep-outs. The tool of a
- *  program over several regions leans as one that SpiralPlanner makes by default. */
-Status toolLean(const JudgedInput& input, const GivenPath& given, double& lean);
+/** How far the tool of \p given leans from the normals of the part, degrees, for PathJudge::prepare; 0 without keep-outs. Where there are
+ *  no contacts, over several regions it is that of a tool that SpiralPlanner makes by default. \p of_scan: whether a failure is one of
+ *  the scan, and not of the path. */
+Status toolLean(const JudgedInput& input, const GivenPath& given, double& lean, bool& of_scan);
 
 /** Judges \p given by each region of the part, with verdicts. Refuses what it cannot be judged with: no cutter, no path, a thinned scan. */
 Status verifyPath(const JudgedInput& input, const GivenPath& given, PathJudge& judge, std::vector<JudgedPath>& judged);
