@@ -48,12 +48,11 @@ main()
   linking.compute(path);
   std::printf("one path: %zu loops in a spiral, %zu beside it, %.0f mm; no path is shorter than %.0f mm\n", path.chain_loops, path.bridges,
               length(path.points), field->least_length);
-  std::vector<SpiralPoint> curve;
-  double longest_step = 0.0; // mm
-  samplePath(path, *surface, settings, curve, longest_step);
+  SpiralTurns turns; // points for linear moves
+  samplePath(path, *surface, settings, turns);
   SpiralPath toolpath; // contacts and normals; next come setToolAxes and checkPath
   GapFigures gaps;
-  putOnSurface(curve, *surface, settings, longest_step, {}, toolpath, gaps);
+  putOnSurface(turns, *surface, settings, {}, toolpath, gaps);
   std::printf("%zu closed passes, or one path of %zu points\n", passes.size(), toolpath.contacts.size());
   return toolpath.contacts.empty() ? 1 : 0;
 }

@@ -208,7 +208,7 @@ planConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>&
   LinkedPath path;
   if (const Status status = linkOnField(&field, {}, settings, partOf(progress, 0.3, 1.0), clock, path, figures); !status.ok())
     return status;
-  return samplePath(path, *surface, settings, turns.curve, turns.largest_allowed_step, &turns.feet);
+  return samplePath(path, *surface, settings, turns);
 }
 
 } // namespace pcl_spiral

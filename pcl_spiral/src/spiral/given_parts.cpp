@@ -350,7 +350,7 @@ planGiven(const GivenParts& given, const Surface& surface, const std::vector<Bou
     measureLinked(path, figures);
     status = checkHoles(path, boundaries, surface.spacing());
   }
-  return status.ok() ? samplePath(path, surface, settings, turns.curve, turns.largest_allowed_step, &turns.feet) : status;
+  return status.ok() ? samplePath(path, surface, settings, turns) : status;
 }
 
 Status

@@ -125,16 +125,15 @@ composed(const Cloud::ConstPtr& cloud, const SpiralSettings& s)
   expectDone(linking);
   by_hand.figures = linking.getFigures();
 
-  std::vector<SpiralPoint> curve;
-  double longest = 0.0;
-  EXPECT_TRUE(samplePath(by_hand.linked, *by_hand.surface, s, curve, longest).ok());
+  SpiralTurns turns;
+  EXPECT_TRUE(samplePath(by_hand.linked, *by_hand.surface, s, turns).ok());
   GapFigures gaps;
-  EXPECT_TRUE(putOnSurface(curve, *by_hand.surface, s, longest, {}, by_hand.path, gaps).ok());
+  EXPECT_TRUE(putOnSurface(turns, *by_hand.surface, s, {}, by_hand.path, gaps).ok());
   AxisFigures axes;
   pcl_spiral::Diagnostics warnings;
   EXPECT_TRUE(setToolAxes(s, by_hand.path, axes, warnings).ok());
   PathFigures figures;
-  EXPECT_TRUE(checkPath(by_hand.path, s, longest, {}, figures).ok());
+  EXPECT_TRUE(checkPath(by_hand.path, s, turns.largest_allowed_step, {}, figures).ok());
   return by_hand;
 }
 

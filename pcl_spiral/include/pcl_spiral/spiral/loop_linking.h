@@ -29,11 +29,14 @@ Status linkLoops(const std::vector<ScallopLoop>& loops, LinkedPath& path, const 
                  bool one_way = false);
 
 /** Points of \p path. They are so close that linear moves keep the chord error of \p settings, on the surface and at the ball's
- *  centre, and the longest step. Points within a fifth of the chord error of a straight move are left out. \p longest_step: the
- *  longest move allowed anywhere, mm. The first point of each pass is marked. \p feet: those found on the way, for putOnSurface. Fails
- *  where the path leaves the surface, and for another tool radius or scallop height than those of the path. */
+ *  centre, and the longest step. Points within a fifth of the chord error of a straight move are left out. Of \p turns are set: curve,
+ *  the longest move allowed anywhere, and the feet that were found on the way, for putOnSurface. The first point of each pass is marked.
+ *  Fails where the path leaves the surface, and for another tool radius or scallop height than those of the path. */
+Status samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, SpiralTurns& turns);
+
+/** The same without feet; \p longest_step, mm: the longest move allowed anywhere. The last digits of a path are others then. */
 Status samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<SpiralPoint>& points,
-                  double& longest_step, CurveFeet* feet = nullptr);
+                  double& longest_step);
 
 /** One continuous path over closed loops: linkLoops, then moves the path where it would leave more than the loops, in the given
  *  direction. samplePath gives its points for linear moves. putOnSurface and setToolAxes make it a toolpath.

@@ -144,10 +144,13 @@ Status measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFi
 /** Put \p curve on \p surface: contacts, normals, turns and gap marks of \p path. Fails where the curve leaves the surface,
  *  where the cutter does not fit with TightHandling::Refuse, and over a gap with GapHandling::Refuse. A step stretched beyond
  *  \p longest_step, mm, gets a point in its middle. With TightHandling::Ride, contacts are lifted off the surface where the ball does not
- *  reach it. \p reach of the ball on this surface; null: made here. \p known: feet that need not be found again; null: none. */
+ *  reach it. \p reach of the ball on this surface; null: made here. */
 Status putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
-                    const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach = nullptr,
-                    const CurveFeet* known = nullptr);
+                    const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach = nullptr);
+
+/** The same for the curve of \p turns with its longest step. Feet that it has are not found again. */
+Status putOnSurface(const SpiralTurns& turns, const Surface& surface, const SpiralSettings& settings, const ProgressCallback& progress,
+                    SpiralPath& path, GapFigures& figures, const BallReach* reach = nullptr);
 
 /** Tool axes of \p path: tilted, smoothed, limited to the largest rate. Beside \p obstacles, points that the ball rides over, the tool
  *  leans less if its shank, shank_radii long, would enter them otherwise; a fixed axis stays. Fails where the axis would lie in the

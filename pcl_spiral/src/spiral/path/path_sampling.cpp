@@ -48,17 +48,15 @@ struct LookedAt {
 };
 
 /** Longest move that starts at each point of the path along it; chunk by chunk, because feet need much memory. Fails if the path
- *  leaves the surface. Points closer together than the fit can tell curvatures apart share a foot. \p kept: the feet; null: not
- *  kept. */
+ *  leaves the surface. Points closer together than the fit can tell curvatures apart share a foot. \p kept: the feet. */
 Status
-allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<double>& steps, LookedAt* kept)
+allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<double>& steps, LookedAt& kept)
 {
   const double longest = settings.max_step > 0.0 ? settings.max_step : settings.tool_radius;
   const std::size_t n = path.points.size();
   steps.resize(n);
   const std::vector<std::size_t> looked = pointsLookedAt(path, shared_foot * surface.spacing());
-  if (kept)
-    kept->points.assign(looked.begin(), looked.end());
+  kept.points.assign(looked.begin(), looked.end());
   const auto stepAt = [&](std::size_t i, const SurfaceFoot& foot) {
     const std::size_t before = i > 0 && !beginsPass(path.passes, i) ? i - 1 : i,
                       after = i + 1 < n && !beginsPass(path.passes, i + 1) ? i + 1 : i;
@@ -82,12 +80,10 @@ allowedSteps(const LinkedPath& path, const Surface& surface, const SpiralSetting
               Diagnostic("the path leaves the {scanned surface} at ", Place(queries[off - feet.begin()]),
                          ": the {scan} has a gap or a ragged rim there; {scan it again, more densely}, or cut the ragged part away")};
     const auto count = static_cast<std::int64_t>(end - begin);
-    if (kept)
-      kept->feet.resize(end);
+    kept.feet.resize(end);
 #pragma omp parallel for schedule(static, 1024)
     for (std::int64_t k = 0; k < count; ++k) {
-      if (kept)
-        kept->feet[begin + k] = {feet[k].position, feet[k].normal, feet[k].nearest_distance, feet[k].nearest};
+      kept.feet[begin + k] = {feet[k].position, feet[k].normal, feet[k].nearest_distance, feet[k].nearest};
       const std::size_t next = begin + k + 1 < looked.size() ? looked[begin + k + 1] : n;
       for (std::size_t i = looked[begin + k]; i < next; ++i)
         steps[i] = stepAt(i, feet[k]);
@@ -122,21 +118,20 @@ straightTo(const LinkedPath& path, const std::vector<double>& steps, std::size_t
 } // namespace
 
 Status
-samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<SpiralPoint>& points,
-           double& longest_step, CurveFeet* feet)
+samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, SpiralTurns& turns)
 {
+  std::vector<SpiralPoint>& points = turns.curve;
   points.clear();
-  if (feet)
-    *feet = CurveFeet();
+  turns.feet = CurveFeet();
   if (const Status status = checkGiven(path.points.size(), "the linked path"); !status.ok())
     return status;
   if (const Status status = checkBasis(path.basis, {settings.tool_radius, settings.scallop_height}, "the linked path"); !status.ok())
     return status;
   std::vector<double> steps;
   LookedAt looked;
-  if (const Status status = allowedSteps(path, surface, settings, steps, feet ? &looked : nullptr); !status.ok())
+  if (const Status status = allowedSteps(path, surface, settings, steps, looked); !status.ok())
     return status;
-  longest_step = *std::max_element(steps.begin(), steps.end()) / step_reserve;
+  turns.largest_allowed_step = *std::max_element(steps.begin(), steps.end()) / step_reserve;
   std::vector<std::uint32_t> of_point;
   std::size_t at = 0; // in what was looked at
   /** Adds point i of the path. */
@@ -162,9 +157,19 @@ samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings&
     add(next, false);
     i = next;
   }
-  if (feet)
-    *feet = {std::move(looked.feet), std::move(of_point)};
+  turns.feet = {std::move(looked.feet), std::move(of_point)};
   return Status::success();
+}
+
+Status
+samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings& settings, std::vector<SpiralPoint>& points,
+           double& longest_step)
+{
+  SpiralTurns turns;
+  const Status status = samplePath(path, surface, settings, turns);
+  points = std::move(turns.curve);
+  longest_step = turns.largest_allowed_step;
+  return status;
 }
 
 } // namespace pcl_spiral

@@ -110,9 +110,12 @@ measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& 
   return Status::success();
 }
 
+namespace {
+
+/** \p known: feet that need not be found again; null: none. */
 Status
-putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
-             const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach, const CurveFeet* known)
+putOnSurface(const std::vector<SpiralPoint>& curve, const CurveFeet* known, const Surface& surface, const SpiralSettings& settings,
+             double longest_step, const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach)
 {
   if (const Status status = checkGiven(curve.size(), "the curve"); !status.ok())
     return status;
@@ -180,6 +183,22 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, cons
       return status;
   path.arc_lengths = cutLengths(path);
   return measureGaps(path, settings, figures);
+}
+
+} // namespace
+
+Status
+putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
+             const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach)
+{
+  return putOnSurface(curve, nullptr, surface, settings, longest_step, progress, path, figures, reach);
+}
+
+Status
+putOnSurface(const SpiralTurns& turns, const Surface& surface, const SpiralSettings& settings, const ProgressCallback& progress,
+             SpiralPath& path, GapFigures& figures, const BallReach* reach)
+{
+  return putOnSurface(turns.curve, &turns.feet, surface, settings, turns.largest_allowed_step, progress, path, figures, reach);
 }
 
 Status

@@ -206,9 +206,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
     report_.warnings.insert(report_.warnings.end(), attempt.warnings.begin(), attempt.warnings.end());
     if (!made.ok())
       return made;
-    const SpiralTurns& turns = attempt.turns;
-    if (const Status status = putOnSurface(turns.curve, *surface, settings_, turns.largest_allowed_step, partOf(progress_, 0.65, 0.9), path,
-                                           gaps, reach.get(), &turns.feet);
+    if (const Status status = putOnSurface(attempt.turns, *surface, settings_, partOf(progress_, 0.65, 0.9), path, gaps, reach.get());
         !status.ok())
       return status;
   }
