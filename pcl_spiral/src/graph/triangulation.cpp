@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/graph/impl/triangulation.h>
 
+#include <omp.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -14,33 +16,33 @@ Triangulation::Triangulation(std::size_t point_count, std::vector<Triangle> tria
   joinFacing();
 }
 
+/** Each thread lists the half-edges of a range of points, and looks at all triangles for them: atomic counters would take longer. */
 void
 Triangulation::findOutgoing()
 {
-  const auto count = static_cast<std::int64_t>(halfEdgeCount()), points = static_cast<std::int64_t>(outgoing_begin_.size()) - 1;
-  std::vector<std::uint32_t> next(outgoing_begin_.size(), 0); // first counts, then where a point's next half-edge goes
-#pragma omp parallel for schedule(static)
-  for (std::int64_t h = 0; h < count; ++h) {
-#pragma omp atomic
-    ++next[origin(static_cast<std::uint32_t>(h))];
-  }
-  std::uint32_t before = 0;
-  for (std::int64_t v = 0; v <= points; ++v) {
-    outgoing_begin_[v] = before;
-    before += next[v];
-    next[v] = outgoing_begin_[v];
-  }
+  const std::size_t points = outgoing_begin_.size() - 1;
+  std::vector<std::uint32_t> next(points, 0); // first counts, then where a point's next half-edge goes
   outgoing_.resize(halfEdgeCount());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t h = 0; h < count; ++h) {
-    std::uint32_t place = 0;
-#pragma omp atomic capture
-    place = next[origin(static_cast<std::uint32_t>(h))]++;
-    outgoing_[place] = static_cast<std::uint32_t>(h);
+#pragma omp parallel
+  {
+    const std::size_t threads = omp_get_num_threads(), thread = omp_get_thread_num();
+    const auto first = static_cast<std::uint32_t>(points * thread / threads);
+    const auto mine = static_cast<std::uint32_t>(points * (thread + 1) / threads) - first;
+    const auto forMine = [&](const auto& visit) {
+      for (std::size_t t = 0; t < triangleCount(); ++t)
+        for (std::uint32_t i = 0; i < 3; ++i)
+          if (const std::uint32_t v = triangles_[t][i]; v - first < mine)
+            visit(v, static_cast<std::uint32_t>(3 * t) + i);
+    };
+    forMine([&](std::uint32_t v, std::uint32_t) { ++next[v]; });
+#pragma omp barrier
+#pragma omp single
+    for (std::size_t v = 0; v < points; ++v) {
+      outgoing_begin_[v + 1] = outgoing_begin_[v] + next[v];
+      next[v] = outgoing_begin_[v];
+    }
+    forMine([&](std::uint32_t v, std::uint32_t h) { outgoing_[next[v]++] = h; });
   }
-#pragma omp parallel for schedule(static)
-  for (std::int64_t v = 0; v < points; ++v) // threads fill a list in any order
-    std::sort(outgoing_.begin() + outgoing_begin_[v], outgoing_.begin() + outgoing_begin_[v + 1]);
 }
 
 /** About a point, the half-edge that faces one which leaves it comes before another that leaves it. */
@@ -63,12 +65,15 @@ Triangulation::joinFacing()
         origins.push_back(t[(i + 2) % 3]);
       }
       for (std::size_t k = 0; k < targets.size(); ++k) {
-        const std::uint32_t h = outgoing_[outgoing_begin_[v] + k];
-        const auto facing = std::count(origins.begin(), origins.end(), targets[k]);
-        if (facing == 1 && std::count(targets.begin(), targets.end(), targets[k]) == 1) {
-          const auto at = static_cast<std::uint32_t>(std::find(origins.begin(), origins.end(), targets[k]) - origins.begin());
-          opposite_[h] = previous(outgoing_[outgoing_begin_[v] + at]);
+        const std::uint32_t h = outgoing_[outgoing_begin_[v] + k], target = targets[k];
+        std::uint32_t facing = 0, same = 0, at = 0;
+        for (std::uint32_t j = 0; j < targets.size(); ++j) {
+          same += targets[j] == target;
+          facing += origins[j] == target;
+          at = origins[j] == target ? j : at;
         }
+        if (facing == 1 && same == 1)
+          opposite_[h] = previous(outgoing_[outgoing_begin_[v] + at]);
         else if (facing > 0)
           mine.push_back(h);
       }
