@@ -54,21 +54,28 @@ class LevelTracer {
 public:
   LevelTracer(const Triangulation& mesh, const std::vector<double>& values, double level, const std::uint32_t* begin,
               const std::uint32_t* end)
-  : mesh_(mesh), values_(values), level_(level), begin_(begin), end_(end), seen_(end - begin, 0)
-  {}
+  : mesh_(mesh), values_(values), level_(level), begin_(begin), end_(end), seen_(end - begin, 0), starts_(end - begin, 1),
+    after_(end - begin, none)
+  {
+    for (std::size_t i = 0; i < starts_.size(); ++i)
+      if (const std::size_t before = indexOf(mesh_.opposite(sideOf(begin_[i], false))); before != none) {
+        starts_[i] = 0;
+        after_[before] = static_cast<std::uint32_t>(i);
+      }
+  }
 
   std::vector<LevelLine> lines()
   {
     std::vector<LevelLine> lines;
     for (const bool open : {true, false})
-      for (const std::uint32_t* t = begin_; t != end_; ++t)
-        if (!seen_[t - begin_] && (!open || indexOf(mesh_.opposite(sideOf(*t, false))) == none))
-          lines.push_back(follow(*t));
+      for (std::size_t i = 0; i < seen_.size(); ++i)
+        if (!seen_[i] && (!open || starts_[i]))
+          lines.push_back(follow(i));
     return lines;
   }
 
 private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  static constexpr std::uint32_t none = 0xffffffffu;
 
   bool isAbove(std::uint32_t point) const { return values_[point] >= level_; }
   /** The half-edge of a crossed triangle that runs up through the level, or down. The line enters through the one
@@ -96,30 +103,26 @@ private:
     const std::uint32_t* at = std::lower_bound(begin_, end_, h / 3);
     return at != end_ && *at == h / 3 ? static_cast<std::size_t>(at - begin_) : none;
   }
-  LevelLine follow(std::uint32_t first)
+  LevelLine follow(std::size_t first)
   {
     LevelLine line;
-    std::uint32_t in = sideOf(first, false);
-    line.crossings.push_back(crossing(in));
-    for (std::size_t at = indexOf(in);;) {
+    line.crossings.push_back(crossing(sideOf(begin_[first], false)));
+    for (std::size_t at = first; at != none; at = after_[at]) {
       seen_[at] = 1;
-      const std::uint32_t out = sideOf(in / 3, true);
-      in = mesh_.opposite(out);
-      at = indexOf(in);
-      line.closed = in != Triangulation::none && in / 3 == first;
+      line.closed = after_[at] == first;
       if (line.closed)
-        return line;
-      line.crossings.push_back(crossing(out));
-      if (at == none)
-        return line;
+        break;
+      line.crossings.push_back(crossing(sideOf(begin_[at], true)));
     }
+    return line;
   }
 
   const Triangulation& mesh_;
   const std::vector<double>& values_;
   double level_;
   const std::uint32_t *begin_, *end_;
-  std::vector<std::uint8_t> seen_;
+  std::vector<std::uint8_t> seen_, starts_; ///< one a crossed triangle: whether a line begins there
+  std::vector<std::uint32_t> after_;        ///< index of the next triangle of its line
 };
 
 } // namespace
@@ -140,9 +143,10 @@ levelLines(const Triangulation& mesh, const std::vector<double>& values, const s
 std::vector<LevelLine>
 levelLines(const Triangulation& mesh, const std::vector<double>& values, double level, const std::vector<std::uint32_t>& triangles)
 {
+  const std::vector<double> levels{level};
   std::vector<std::uint32_t> crossed;
   for (const std::uint32_t t : triangles)
-    forLevels(mesh, values, {level}, t, [&](std::size_t first, std::size_t end) {
+    forLevels(mesh, values, levels, t, [&](std::size_t first, std::size_t end) {
       if (end > first)
         crossed.push_back(t);
     });
