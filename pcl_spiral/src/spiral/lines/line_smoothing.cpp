@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -82,15 +83,20 @@ fitted(const ScallopLoop& loop, double u, std::size_t i, double width)
   while (last < at + n / 2 && (arc(last + 1) - u < width || last - at - 1 < fewest_beside))
     ++last;
   const double reach = std::max({width, 1.001 * (u - arc(first)), 1.001 * (arc(last) - u)});
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero(); // its lower triangle; entry by entry, because small vectors would go through memory
   Eigen::Matrix3d b = Eigen::Matrix3d::Zero();
   const Eigen::Vector3d origin = loop.points[i];
   for (std::ptrdiff_t j = first; j <= last; ++j) {
     const double t = (arc(j) - u) / reach, s = std::abs(t), c = 1.0 - s * s * s;
     const double weight = c * c * c * (arc(j + 1) - arc(j - 1));
-    const Eigen::Vector3d basis(1.0, t, t * t);
-    a += weight * basis * basis.transpose();
-    b += weight * basis * (loop.points[place(j)] - origin).transpose();
+    const std::array<double, 3> basis{1.0, t, t * t};
+    const Eigen::Vector3d& p = loop.points[place(j)];
+    for (int row = 0; row < 3; ++row)
+      for (int k = 0; k < 3; ++k) {
+        b(row, k) += weight * basis[row] * (p[k] - origin[k]);
+        if (k <= row)
+          a(row, k) += weight * basis[row] * basis[k];
+      }
   }
   return origin + valueAtMiddle(a, b, loop.at(u) - origin);
 }
