@@ -16,7 +16,7 @@ constexpr double noise_reach = 0.8; // step-overs within which a summit may come
 RidgeClimb::RidgeClimb(const StepOverDistance& field) : up_(field.mesh.size(), none), summit_(field.mesh.size(), none)
 {
   const auto count = static_cast<std::int64_t>(field.mesh.size());
-#pragma omp parallel for schedule(static, 4096)
+#pragma omp parallel for schedule(dynamic, 4096)
   for (std::int64_t i = 0; i < count; ++i) {
     const auto v = static_cast<std::uint32_t>(i);
     double steepest = 0.0;
@@ -30,19 +30,36 @@ RidgeClimb::RidgeClimb(const StepOverDistance& field) : up_(field.mesh.size(), n
         up_[v] = w;
       }
     });
-  }
-  for (std::uint32_t v = 0; v < up_.size(); ++v)
     if (up_[v] == none)
       up_[v] = higherNode(field, v);
-  std::vector<std::uint32_t> way;
-  for (std::uint32_t v = 0; v < up_.size(); ++v) {
-    std::uint32_t at = v;
-    for (way.clear(); summit_[at] == none && up_[at] != none; at = up_[at])
-      way.push_back(at);
-    const std::uint32_t top = summit_[at] == none ? at : summit_[at];
-    summit_[at] = top;
-    for (const std::uint32_t w : way)
-      summit_[w] = top;
+  }
+  findSummits();
+}
+
+void
+RidgeClimb::findSummits()
+{
+  const auto count = static_cast<std::int64_t>(up_.size());
+#pragma omp parallel
+  {
+    std::vector<std::uint32_t> way; // other threads may write the same summits
+#pragma omp for schedule(dynamic, 4096)
+    for (std::int64_t v = 0; v < count; ++v) {
+      std::uint32_t at = static_cast<std::uint32_t>(v), top = none;
+      for (way.clear(); top == none; at = up_[at]) {
+#pragma omp atomic read
+        top = summit_[at];
+        if (top != none)
+          break;
+        way.push_back(at);
+        if (up_[at] == none)
+          top = at;
+      }
+      for (const std::uint32_t w : way) {
+#pragma omp atomic write
+        summit_[w] = top;
+      }
+    }
   }
 }
 

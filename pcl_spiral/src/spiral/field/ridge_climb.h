@@ -6,6 +6,8 @@
 
 #include <pcl_spiral/spiral/step_over_field.h>
 
+#include "geodesic/mesh_walk.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -24,22 +26,11 @@ public:
   std::uint32_t summit(std::uint32_t v) const { return summit_[v]; }
 
 private:
+  void findSummits();
   std::uint32_t higherNode(const StepOverDistance& field, std::uint32_t v) const;
 
   std::vector<std::uint32_t> up_, summit_;
 };
-
-/** Call \p visit(neighbour) for the nodes that share an edge with \p v; neighbours in two triangles come twice. */
-template <typename Visit>
-void
-forNeighbours(const Triangulation& triangles, std::uint32_t v, Visit visit)
-{
-  for (std::size_t o = triangles.outgoingBegin(v); o < triangles.outgoingBegin(v + 1); ++o) {
-    const std::uint32_t h = triangles.outgoing(o);
-    visit(triangles.target(h));
-    visit(triangles.origin(Triangulation::previous(h)));
-  }
-}
 
 /** Length of the edge from \p a to \p b in step-overs. */
 inline double
