@@ -4,7 +4,10 @@
 #include "ridge_climb.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace pcl_spiral {
@@ -26,19 +29,26 @@ spread(const Triangulation& triangles, const std::vector<std::uint8_t>& before, 
 
 } // namespace
 
-RidgeBand::RidgeBand(const StepOverDistance& field) : field_(field)
+RidgeBand::RidgeBand(const StepOverDistance& field) : field_(field), begin_(static_cast<std::size_t>(field.largest) + 2, 0)
 {
-  for (std::uint32_t v = 0; v < field.mesh.size(); ++v)
-    if (field.is_fine[v])
-      nodes_.push_back(v);
-  std::vector<std::pair<double, std::uint32_t>> by_distance;
-  by_distance.reserve(nodes_.size());
-  for (const std::uint32_t v : nodes_)
-    by_distance.emplace_back(field.distance[v], v);
-  std::sort(by_distance.begin(), by_distance.end());
-  std::transform(by_distance.begin(), by_distance.end(), nodes_.begin(), [](const auto& node) { return node.second; });
+  sortNodes();
   findNear();
   findAbout();
+}
+
+void
+RidgeBand::sortNodes()
+{
+  const auto forNodes = [this](const auto& visit) {
+    for (std::uint32_t v = 0; v < field_.mesh.size(); ++v)
+      if (field_.is_fine[v])
+        visit(v, static_cast<std::size_t>(field_.distance[v]));
+  };
+  forNodes([this](std::uint32_t, std::size_t level) { ++begin_[level + 1]; });
+  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  nodes_.resize(begin_.back());
+  std::vector<std::size_t> next(begin_);
+  forNodes([&](std::uint32_t v, std::size_t level) { nodes_[next[level]++] = v; });
 }
 
 void
@@ -63,7 +73,7 @@ RidgeBand::findNear()
     const float walked = reached[v];
     waits[v] = 0;
     forNeighbours(field_.mesh.triangles, v, [&](std::uint32_t w) {
-      if (field_.is_fine[w])
+      if (field_.is_fine[w] || walked >= reached[w])
         return;
       const float there = walked + static_cast<float>(edgeLength(field_.mesh, v, w));
       if (there >= reached[w])
@@ -96,9 +106,16 @@ RidgeBand::findAbout()
 std::vector<std::uint32_t>
 RidgeBand::between(double low, double high) const
 {
-  const auto less = [this](std::uint32_t v, double d) { return field_.distance[v] < d; };
-  const auto begin = std::lower_bound(nodes_.begin(), nodes_.end(), low, less);
-  return {begin, std::lower_bound(begin, nodes_.end(), high, less)};
+  std::vector<std::uint32_t> found;
+  const auto end = std::min(begin_.size() - 1, static_cast<std::size_t>(std::ceil(high)));
+  for (auto level = static_cast<std::size_t>(low); level < end; ++level) {
+    const auto middle = static_cast<std::ptrdiff_t>(found.size());
+    std::copy_if(nodes_.begin() + static_cast<std::ptrdiff_t>(begin_[level]),
+                 nodes_.begin() + static_cast<std::ptrdiff_t>(begin_[level + 1]), std::back_inserter(found),
+                 [&](std::uint32_t v) { return field_.distance[v] >= low && field_.distance[v] < high; });
+    std::inplace_merge(found.begin(), found.begin() + middle, found.end());
+  }
+  return found;
 }
 
 } // namespace pcl_spiral

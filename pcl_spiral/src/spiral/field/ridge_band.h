@@ -17,7 +17,7 @@ class RidgeBand {
 public:
   explicit RidgeBand(const StepOverDistance& field);
 
-  /** Nodes of the band with distances from \p low to below \p high, by rising distance. */
+  /** Nodes of the band with distances from \p low to below \p high, ascending. */
   std::vector<std::uint32_t> between(double low, double high) const;
   /** Whether a node is within 1.5 step-overs of the band: loops there may be the nearest to its nodes. */
   bool isNear(std::uint32_t v) const { return is_near_[v] != 0; }
@@ -38,11 +38,13 @@ public:
   }
 
 private:
+  void sortNodes();
   void findNear();
   void findAbout();
 
   const StepOverDistance& field_;
-  std::vector<std::uint32_t> nodes_;  ///< by rising distance
+  std::vector<std::uint32_t> nodes_;  ///< by the whole step-overs of their distances, then ascending
+  std::vector<std::size_t> begin_;    ///< in nodes_, of those from each number of step-overs on; and the end
   std::vector<std::uint8_t> is_near_; ///< one a node of the mesh
   std::vector<std::uint32_t> about_;  ///< nodes of triangles with a node of the band
   PointBlocks blocks_;                ///< of about_

@@ -215,7 +215,6 @@ LoopMaker::findCores(Between& at, std::vector<FingerAxis>& axes)
     if (isThin(at, v))
       at.thin.push_back(v);
   }
-  std::sort(core.begin(), core.end());
   for (const std::vector<std::uint32_t>& group : connectedGroups(field_.mesh.triangles, core, scratch_)) {
     const std::vector<double> distances = distancesOf(group, at.lines, 0.0);
     if (*std::max_element(distances.begin(), distances.end()) <= covered_within + 0.004)
@@ -232,19 +231,14 @@ LoopMaker::findFingersOf(const Between& at, std::vector<FingerAxis>& axes)
 {
   LevelGap gap;
   gap.level = at.level;
-  const auto addOpen = [&](const std::vector<std::uint32_t>& nodes) {
-    for (const std::uint32_t v : nodes)
-      if (!std::binary_search(at.done.begin(), at.done.end(), v))
-        gap.nodes.push_back(v);
-  };
-  addOpen(band_.between(at.level + 0.5, at.level + 1.0));
-  addOpen(at.thin);
-  std::sort(gap.nodes.begin(), gap.nodes.end());
+  std::vector<std::uint32_t> nodes;
+  const std::vector<std::uint32_t> upper = band_.between(at.level + 0.5, at.level + 1.0);
+  std::merge(upper.begin(), upper.end(), at.thin.begin(), at.thin.end(), std::back_inserter(nodes));
+  std::set_difference(nodes.begin(), nodes.end(), at.done.begin(), at.done.end(), std::back_inserter(gap.nodes));
   gap.distances = distancesOf(gap.nodes, at.lines, covered_within);
   for (const std::uint32_t v : band_.between(at.level + 1.0, at.level + 1.0 + neck_depth))
     if (agreement_[v] < neck_agreement && !isThin(at, v))
       gap.necks.push_back(v);
-  std::sort(gap.necks.begin(), gap.necks.end());
   gap.is_ridge = [this](std::uint32_t v) { return agreement_[v] < ridge_agreement; };
   gap.is_above = [&](std::uint32_t v) { return field_.distance[v] >= at.level + 1.0 && !isThin(at, v); };
   gap.loop_near = [&](std::uint32_t v) {
