@@ -107,13 +107,13 @@ private:
     int level = 0;    ///< of the lower loops
     SegmentSet lines; ///< loops of both levels; the label of an upper one is its index, of the others lower
     std::unordered_set<std::uint32_t> thin_summits;
-    std::vector<std::uint32_t> thin, done; ///< nodes that a finger reaches; nodes of finished cores, ascending
+    std::vector<std::uint32_t> thin, done; ///< nodes that a finger reaches; nodes of finished cores; both ascending
   };
 
-  /** The smallest and the largest D at the corners of a triangle. */
-  std::pair<double, double> rangeOf(const Triangulation::Triangle& c) const
+  /** The smallest and the largest of \p values at the corners of a triangle. */
+  static std::pair<double, double> rangeOf(const std::vector<double>& values, const Triangulation::Triangle& c)
   {
-    return std::minmax({field_.distance[c[0]], field_.distance[c[1]], field_.distance[c[2]]});
+    return std::minmax({values[c[0]], values[c[1]], values[c[2]]});
   }
   void sortTriangles(int levels);
   void addRims();
@@ -141,14 +141,23 @@ private:
 void
 LoopMaker::sortTriangles(int levels)
 {
-  triangles_.resize(levels + 1);
-  const Triangulation& t = field_.mesh.triangles;
-  for (std::uint32_t i = 0; i < t.triangleCount(); ++i) {
-    const auto& c = t.triangle(i);
-    const auto [low, high] = rangeOf(c);
-    for (int k = std::max(1, static_cast<int>(std::floor(low))); k <= levels && k <= high; ++k)
-      triangles_[k].push_back(i);
+  constexpr std::size_t parts = 64; // of the mesh
+  const std::size_t count = field_.mesh.triangles.triangleCount();
+  std::vector<std::vector<std::vector<std::uint32_t>>> found(parts);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::size_t part = 0; part < parts; ++part) {
+    found[part].resize(levels + 1);
+    for (std::size_t i = count * part / parts; i < count * (part + 1) / parts; ++i) {
+      const auto [low, high] = rangeOf(field_.distance, field_.mesh.triangles.triangle(i));
+      for (int k = std::max(1, static_cast<int>(std::floor(low))); k <= levels && k <= high; ++k)
+        found[part][k].push_back(static_cast<std::uint32_t>(i));
+    }
   }
+  triangles_.resize(levels + 1);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = 0; k <= levels; ++k)
+    for (const auto& part : found)
+      triangles_[k].insert(triangles_[k].end(), part[k].begin(), part[k].end());
 }
 
 void
@@ -287,10 +296,12 @@ LoopMaker::redrawn(int level, const std::vector<FingerAxis>& axes, const std::ve
 {
   std::vector<std::uint32_t> changed;
   raise(level, axes, thin, changed);
+  const Triangulation& mesh = field_.mesh.triangles;
   std::vector<std::uint32_t> triangles = triangles_[level];
   for (const std::uint32_t v : changed)
-    for (std::size_t o = field_.mesh.triangles.outgoingBegin(v); o < field_.mesh.triangles.outgoingBegin(v + 1); ++o)
-      triangles.push_back(field_.mesh.triangles.outgoing(o) / 3);
+    for (std::size_t o = mesh.outgoingBegin(v); o < mesh.outgoingBegin(v + 1); ++o)
+      if (const auto [low, high] = rangeOf(values_, mesh.triangle(mesh.outgoing(o) / 3)); low < level && level <= high)
+        triangles.push_back(mesh.outgoing(o) / 3);
   std::sort(triangles.begin(), triangles.end());
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   std::vector<RawLoop> loops = traceLoops(field_, band_, climb_, values_, level, triangles);
@@ -335,8 +346,10 @@ LoopMaker::levelsApart() const
 {
   const Triangulation& t = field_.mesh.triangles;
   double widest = 0.0;
-  for (std::size_t i = 0; i < t.triangleCount(); ++i) {
-    const auto [low, high] = rangeOf(t.triangle(i));
+  const auto count = static_cast<std::int64_t>(t.triangleCount());
+#pragma omp parallel for schedule(static, 4096) reduction(max : widest)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const auto [low, high] = rangeOf(field_.distance, t.triangle(i));
     widest = std::max(widest, high - low);
   }
   return static_cast<int>(std::floor(raised_below + raised_above + widest)) + 1;
