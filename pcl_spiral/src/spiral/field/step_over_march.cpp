@@ -69,18 +69,23 @@ constexpr MarchedDistances::Side nowhere{Triangulation::none, Triangulation::non
 class StepOverMarch {
 public:
   StepOverMarch(const StepOverMesh& mesh, MarchedDistances& marched)
-  : mesh_(mesh.triangles), distance_(marched.distance), over_(marched.over), sides_(allSides(mesh)), visits_(mesh.size(), 0),
-    waiting_(mesh.size(), 0), queue_(bucket_edges * usualEdge(), bucket_count)
+  : mesh_(mesh.triangles), distance_(marched.distance), over_(marched.over), sides_(allSides(mesh)), is_open_(openTriangles()),
+    visits_(mesh.size(), 0), waiting_(mesh.size(), 0), queue_(bucket_edges * usualEdge(), bucket_count)
   {
-    bool any = false;
-    for (const double d : distance_) {
-      unknown_ += !std::isfinite(d);
-      if (std::isfinite(d) && (!any || d < least_))
-        least_ = d;
-      any = any || std::isfinite(d);
+    std::vector<std::uint8_t> begins(mesh.size());
+    double least = not_reached;
+    std::size_t unknown = 0;
+    const auto count = static_cast<std::int64_t>(mesh.size());
+#pragma omp parallel for schedule(static, 4096) reduction(min : least) reduction(+ : unknown)
+    for (std::int64_t v = 0; v < count; ++v) {
+      least = std::min(least, distance_[v]);
+      unknown += !std::isfinite(distance_[v]);
+      begins[v] = std::isfinite(distance_[v]) && isBesideUnknown(static_cast<std::uint32_t>(v));
     }
+    least_ = least;
+    unknown_ = unknown;
     for (std::uint32_t v = 0; v < mesh.size(); ++v)
-      if (std::isfinite(distance_[v]) && isBesideUnknown(v))
+      if (begins[v])
         wait(v);
   }
 
@@ -108,29 +113,32 @@ private:
     std::uint32_t to;
   };
 
-  bool hasUnknown(std::size_t t) const
+  std::vector<std::uint8_t> openTriangles() const
   {
-    const auto& c = mesh_.triangle(t);
-    return !std::isfinite(distance_[c[0]]) || !std::isfinite(distance_[c[1]]) || !std::isfinite(distance_[c[2]]);
+    std::vector<std::uint8_t> is_open(mesh_.triangleCount());
+    const auto count = static_cast<std::int64_t>(is_open.size());
+#pragma omp parallel for schedule(static, 4096)
+    for (std::int64_t t = 0; t < count; ++t)
+      for (const std::uint32_t v : mesh_.triangle(t))
+        is_open[t] |= !std::isfinite(distance_[v]);
+    return is_open;
   }
   bool isBesideUnknown(std::uint32_t v) const
   {
     for (std::size_t o = mesh_.outgoingBegin(v); o < mesh_.outgoingBegin(v + 1); ++o)
-      if (hasUnknown(mesh_.outgoing(o) / 3))
+      if (is_open_[mesh_.outgoing(o) / 3])
         return true;
     return false;
   }
   /** The median side of triangles with a node to reach. */
   double usualEdge() const
   {
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < sides_.size(); ++t)
-      count += hasUnknown(t);
+    const auto count = static_cast<std::size_t>(std::count(is_open_.begin(), is_open_.end(), 1));
     const std::size_t stride = count / edges_looked_at + 1;
     std::vector<float> edges;
     std::size_t at = 0;
     for (std::size_t t = 0; t < sides_.size(); ++t)
-      if (hasUnknown(t) && at++ % stride == 0)
+      if (is_open_[t] && at++ % stride == 0)
         edges.push_back(sides_[t][0]);
     if (edges.empty())
       return 1.0;
@@ -187,6 +195,7 @@ private:
   std::vector<double>& distance_;
   std::vector<MarchedDistances::Side>& over_;
   std::vector<Sides> sides_;
+  std::vector<std::uint8_t> is_open_; ///< one a triangle: whether it has a node to reach, at first
   std::vector<std::uint8_t> visits_, waiting_;
   double least_ = 0.0;
   std::size_t unknown_ = 0;
@@ -276,7 +285,7 @@ gradientLengths(const StepOverMesh& mesh, const std::vector<double>& distance)
     const double x = (a * a + b * b - c * c) / (2.0 * a), y = std::sqrt(std::max(1e-12, b * b - x * x));
     const double along = (distance[t[1]] - distance[t[0]]) / a;
     const double across = (distance[t[2]] - distance[t[0]] - along * x) / y;
-    lengths[i] = static_cast<float>(std::hypot(along, across));
+    lengths[i] = static_cast<float>(std::sqrt(along * along + across * across));
   }
   return lengths;
 }
