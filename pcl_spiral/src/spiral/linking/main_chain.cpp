@@ -63,11 +63,13 @@ public:
   std::vector<RampStrip> best(std::size_t innermost, std::size_t outer_rim)
   {
     loops_at_.assign(finder_.levels(), 0);
-    for (std::size_t i = 0; i < loops_.size(); ++i) {
+    const auto count = static_cast<std::int64_t>(loops_.size());
+    for (std::int64_t i = 0; i < count; ++i)
+      ++loops_at_[loops_.loop(i).level];
+#pragma omp parallel for schedule(dynamic, 1)
+    for (std::int64_t i = 0; i < count; ++i)
       if (!isJoined(i))
         findBends(i);
-      ++loops_at_[loops_.loop(i).level];
-    }
     const double whole = loops_.loop(innermost).length(), from = start_ ? nearestTo(loops_.loop(innermost), *start_) : 0.0;
     const auto starts = static_cast<std::int64_t>(std::clamp<double>(whole / 0.1, 8.0, static_cast<double>(most_candidates)));
     const std::vector<double> drifts = start_ ? std::vector<double>{0.0, 0.6, 1.5, 3.0, 5.0, 8.0} : std::vector<double>{0.0, 0.6};

@@ -48,6 +48,9 @@ rawLoop(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& 
   RawLoop loop;
   loop.line.level = level;
   loop.is_thin = true;
+  loop.line.points.reserve(line.crossings.size());
+  loop.line.metric.reserve(line.crossings.size());
+  loop.uphill.reserve(line.crossings.size());
   for (const LevelCrossing& c : fromFarthest(mesh, line.crossings)) {
     const double share = std::clamp(c.share, off_nodes, 1.0 - off_nodes);
     loop.line.points.push_back((1.0 - share) * mesh.positions[c.below] + share * mesh.positions[c.above]);

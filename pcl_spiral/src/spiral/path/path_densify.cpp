@@ -13,39 +13,54 @@ void
 densify(const std::vector<std::uint8_t>& near, double held, double grain, LinkedPath& path, std::vector<std::uint8_t>& dense_near,
         std::vector<std::uint8_t>& moves, std::vector<std::size_t>& places)
 {
-  places.clear();
-  LinkedPath dense;
-  dense.points.reserve(path.points.size());
-  dense.metric.reserve(path.points.size());
-  double travelled = 0.0;
-  for (std::size_t i = 0; i < path.points.size(); ++i) {
-    const bool moves_on = i > 0 && !beginsPass(path.passes, i);
-    double step = 0.0;
-    if (moves_on)
-      step = between(path.metric[i - 1], path.metric[i], 0.5).length(path.points[i] - path.points[i - 1]);
-    const bool inside = moves_on && (near[i] || near[i - 1]);
-    const int parts = inside ? std::max(1, static_cast<int>(std::ceil(step / grain))) : 1;
-    if (i > 0 && !moves_on)
-      dense.passes.push_back(dense.points.size());
-    for (int k = moves_on ? 1 : parts; k <= parts; ++k) {
-      const double share = static_cast<double>(k) / parts;
-      const std::size_t before = moves_on ? i - 1 : i;
-      dense.points.push_back((1.0 - share) * path.points[before] + share * path.points[i]);
-      dense.metric.push_back(between(path.metric[before], path.metric[i], share));
-      dense.reversed.push_back(path.reversed[i]);
-      dense.turns.push_back(path.turns[before] + static_cast<float>(share) * (path.turns[i] - path.turns[before]));
-      dense_near.push_back(near[i] || inside);
-      moves.push_back(dense_near.back() && travelled + share * step > held);
-    }
-    places.push_back(dense.points.size() - 1);
-    travelled += step;
+  const auto count = static_cast<std::int64_t>(path.points.size());
+  const auto before = [&](std::size_t i) { return i > 0 && !beginsPass(path.passes, i) ? i - 1 : i; }; // itself where a pass begins
+  const auto stepTo = [&](std::size_t i) {
+    const std::size_t b = before(i);
+    return b == i ? 0.0 : between(path.metric[b], path.metric[i], 0.5).length(path.points[i] - path.points[b]);
+  };
+  const auto isInside = [&](std::size_t i) { return before(i) != i && (near[i] || near[i - 1]); };
+  std::vector<double> travelled(path.points.size()); // to the point before
+  places.resize(path.points.size() + 1);
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t i = 0; i < count; ++i) {
+    travelled[i] = stepTo(i);
+    places[i] = isInside(i) ? std::max(1, static_cast<int>(std::ceil(travelled[i] / grain))) : 1;
   }
-  places.push_back(dense.points.size());
+  double way = 0.0;
+  std::size_t all = 0;
+  for (std::int64_t i = 0; i < count; ++i) {
+    way += std::exchange(travelled[i], way);
+    places[i] = (all += places[i]) - 1;
+  }
+  places.back() = all;
+  LinkedPath dense;
+  dense.points.resize(all);
+  dense.metric.resize(all);
+  dense.reversed.resize(all);
+  dense.turns.resize(all);
+  dense_near.resize(all);
+  moves.resize(all);
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::size_t b = before(i), first = i > 0 ? places[i - 1] + 1 : 0, parts = places[i] + 1 - first;
+    const double step = stepTo(i);
+    for (std::size_t k = first; k <= places[i]; ++k) {
+      const double share = static_cast<double>(k + 1 - first) / static_cast<double>(parts);
+      dense.points[k] = (1.0 - share) * path.points[b] + share * path.points[i];
+      dense.metric[k] = between(path.metric[b], path.metric[i], share);
+      dense.reversed[k] = path.reversed[i];
+      dense.turns[k] = path.turns[b] + static_cast<float>(share) * (path.turns[i] - path.turns[b]);
+      dense_near[k] = near[i] || isInside(i);
+      moves[k] = dense_near[k] && travelled[i] + share * step > held;
+    }
+  }
+  for (std::size_t& begin : path.passes)
+    begin = places[begin];
   path.points = std::move(dense.points);
   path.metric = std::move(dense.metric);
   path.reversed = std::move(dense.reversed);
   path.turns = std::move(dense.turns);
-  path.passes = std::move(dense.passes);
 }
 
 } // namespace pcl_spiral

@@ -133,6 +133,8 @@ samplePath(const LinkedPath& path, const Surface& surface, const SpiralSettings&
     return status;
   turns.largest_allowed_step = *std::max_element(steps.begin(), steps.end()) / step_reserve;
   std::vector<std::uint32_t> of_point;
+  points.reserve(path.points.size());
+  of_point.reserve(path.points.size());
   std::size_t at = 0; // in what was looked at
   /** Adds point i of the path. */
   const auto add = [&](std::size_t i, bool begins_pass) {
