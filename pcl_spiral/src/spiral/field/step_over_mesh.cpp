@@ -123,13 +123,12 @@ MeshMaker::keepWithin()
   Triangulation rest;
   if (const Status status = trianglesWithin(mesh_, surface_.graph().triangulation(), side_, spacing_, rest); !status.ok())
     return status;
-  for (std::size_t t = 0; t < rest.triangleCount(); ++t)
-    triangles_.push_back(rest.triangle(t));
   edges_ = rest.boundaryLoops();
   for (std::vector<std::uint32_t>& edge : edges_)
     for (std::uint32_t& h : edge)
       h = rest.origin(h);
   edge_used_.assign(edges_.size(), 0);
+  triangles_ = std::move(rest).release();
   return Status::success();
 }
 
@@ -278,8 +277,10 @@ MeshMaker::dropUnused()
   mesh_.positions.resize(count);
   mesh_.normals.resize(count);
   mesh_.metric.resize(count);
-  for (Triangle& t : triangles_)
-    for (std::uint32_t& v : t)
+  const auto triangle_count = static_cast<std::int64_t>(triangles_.size());
+#pragma omp parallel for schedule(static, 4096)
+  for (std::int64_t t = 0; t < triangle_count; ++t)
+    for (std::uint32_t& v : triangles_[t])
       v = index[v];
   for (std::vector<std::uint32_t>& rim : mesh_.rims)
     for (std::uint32_t& v : rim)

@@ -86,14 +86,16 @@ Triangulation
 largestPart(const Triangulation& triangles, const Cut& cut, std::size_t nodes)
 {
   std::vector<Triangle> kept;
+  kept.reserve(triangles.triangleCount());
   for (std::size_t i = 0; i < triangles.triangleCount(); ++i)
     if (cut.keeps(triangles, i))
       kept.push_back(triangles.triangle(i));
-  Triangulation whole(nodes, kept);
+  Triangulation whole(nodes, std::move(kept));
   std::vector<std::size_t> sizes;
   const std::vector<std::uint32_t> part = whole.parts(sizes);
   if (sizes.size() < 2)
     return whole;
+  kept = std::move(whole).release();
   std::size_t count = 0;
   for (std::size_t t = 0; t < kept.size(); ++t)
     if (part[t] == 0)

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl_spiral {
@@ -29,6 +30,9 @@ public:
   /** Add triangles of the same points. Each half-edge is joined to one that faces it and has no neighbour yet, if there is
    *  one. Never more than two triangles meet at an edge, so that every walk around a point ends. */
   void append(const std::vector<Triangle>& triangles);
+
+  /** Its triangles, for another; nothing is left here. */
+  std::vector<Triangle> release() && { return std::move(triangles_); }
 
   std::size_t triangleCount() const { return triangles_.size(); }
   const Triangle& triangle(std::size_t t) const { return triangles_[t]; }
