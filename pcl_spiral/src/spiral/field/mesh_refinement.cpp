@@ -49,6 +49,8 @@ public:
     }
     is_fine.resize(fine_.size(), 0);
     cutRims();
+    triangulation_ = Triangulation(); // not beside the new one
+    std::vector<std::uint32_t>().swap(on_edge_);
     fine_.triangles = Triangulation(fine_.size(), std::move(triangles_));
     return std::move(fine_);
   }
