@@ -122,24 +122,31 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
   std::vector<std::size_t> watched, dense;
   if (!testsToWatch(tests_, places, *line, near, partOf(progress, 0.4, 1.0), watched))
     return false;
+  CoverTests kept; // all that the rounds need
+  std::vector<NearestSegment> nearest;
+  for (const std::size_t i : watched) {
+    kept.add(tests_.points[i], tests_.metric[i]);
+    nearest.push_back(tests_.nearest[i]);
+    if (std::size_t& segment = nearest.back().segment; segment != NearestSegment::none)
+      segment = line->label(segment) + line->place(segment);
+  }
+  tests_ = std::move(kept);
+  line.reset();
   densify(near, held, cover_grain, path_, near_, moves_, dense);
   shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
   moved_.assign(path_.points.size() + 1, 0.0);
   taken_.assign(path_.points.size(), 0);
-  for (const std::size_t i : watched) {
-    const NearestSegment& nearest = tests_.nearest[i];
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
     Watched at;
-    at.distance = nearest.distance;
+    at.distance = nearest[i].distance;
     at.test = static_cast<std::uint32_t>(i);
-    if (nearest.segment != NearestSegment::none) {
-      const std::size_t s = line->label(nearest.segment) + line->place(nearest.segment), parts = dense[s + 1] - dense[s];
-      const auto part = std::min(parts - 1, static_cast<std::size_t>(nearest.share * static_cast<double>(parts)));
+    if (const std::size_t s = nearest[i].segment; s != NearestSegment::none) {
+      const std::size_t parts = dense[s + 1] - dense[s];
+      const auto part = std::min(parts - 1, static_cast<std::size_t>(nearest[i].share * static_cast<double>(parts)));
       at.segment = dense[s] + part;
     }
     watched_.push_back(at);
   }
-  std::vector<NearestSegment>().swap(tests_.nearest);
-  line.reset();
   lines_ = movingLines();
   return true;
 }
