@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/constant_scallop.h>
 
+#include "spiral/field/mesh_distance.h"
 #include "spiral/field/scallop_size.h"
 #include "spiral/linking/path_cover.h"
 #include "spiral/path/path_end.h"
@@ -103,21 +104,34 @@ forPictures(const std::vector<ScallopLoop>& loops)
   return lines;
 }
 
-} // namespace
-
-Status
-makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
-                  const ProgressCallback& progress, StepOverDistance& field)
+/** The rim and the holes among \p loops. */
+std::vector<BoundaryLoop>
+outlinesOf(const std::vector<BoundaryLoop>& loops)
 {
   std::vector<BoundaryLoop> outlines;
   for (const LoopType type : {LoopType::Outer, LoopType::Inner})
     for (const BoundaryLoop& loop : loops)
       if (loop.type == type)
         outlines.push_back(loop);
+  return outlines;
+}
+
+StepOverOptions
+optionsOf(const SpiralSettings& settings)
+{
   StepOverOptions options;
   options.tool_radius = settings.tool_radius;
   options.scallop_height = settings.scallop_height;
-  return measureStepOvers(surface, outlines, options, field, progress);
+  return options;
+}
+
+} // namespace
+
+Status
+makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
+                  const ProgressCallback& progress, StepOverDistance& field)
+{
+  return measureStepOvers(surface, outlinesOf(loops), optionsOf(settings), field, progress);
 }
 
 void
@@ -184,6 +198,7 @@ linkOnField(const StepOverDistance* field, std::vector<ScallopLoop> loops, const
   set.loops = std::move(loops);
   if (set.loops.empty() && !makeScallopLoops(*field, partOf(progress, 0.0, 0.4), set))
     return {StatusCode::Cancelled, "cancelled"};
+  returnFreedMemory();
   figures.fingers = set.axes.size();
   figures.lines = forPictures(set.loops);
   figures.axes = set.axes;
@@ -197,17 +212,31 @@ planConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>&
 {
   turns = SpiralTurns();
   figures = ScallopFigures();
-  StepOverDistance field;
-  if (const Status status = makeStepOverField(*surface, loops, settings, partOf(progress, 0.0, 0.3), field); !status.ok())
-    return status;
-  if (const Status status = checkPathSize(scallopPathSize(field, *surface, settings), surface->area(), settings); !status.ok())
+  if (progress && !progress(0.0, "step-over field"))
+    return {StatusCode::Cancelled, "cancelled"};
+  const StepOverOptions options = optionsOf(settings);
+  StepOverMesh mesh;
+  if (const Status status = makeStepOverMesh(*surface, outlinesOf(loops), options, mesh); !status.ok())
     return status;
   if (drop)
     surface = Surface::withoutTriangulation(surface);
-  clock.end("step-over field");
-  LinkedPath path;
-  if (const Status status = linkOnField(&field, {}, settings, partOf(progress, 0.3, 1.0), clock, path, figures); !status.ok())
+  StepOverDistance field;
+  if (const Status status = measureOnMesh(std::move(mesh), surface->spacing(), options, field, partOf(progress, 0.0, 0.3)); !status.ok())
     return status;
+  if (const Status status = checkPathSize(scallopPathSize(field, *surface, settings), surface->area(), settings); !status.ok())
+    return status;
+  clock.end("step-over field");
+  ScallopLoopSet set;
+  const ProgressCallback rest = partOf(progress, 0.3, 1.0);
+  if (!makeScallopLoops(field, partOf(rest, 0.0, 0.4), set))
+    return {StatusCode::Cancelled, "cancelled"};
+  field.mesh.triangles = Triangulation(std::move(field.mesh.triangles).release(), {}, {}, {}); // the path needs only their corners
+  LinkedPath path;
+  if (const Status status = linkOnField(&field, std::move(set.loops), settings, rest, clock, path, figures); !status.ok())
+    return status;
+  figures.fingers = set.axes.size();
+  figures.axes = std::move(set.axes);
+  field = StepOverDistance(); // not beside the feet
   return samplePath(path, *surface, settings, turns);
 }
 

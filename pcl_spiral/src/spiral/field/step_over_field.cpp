@@ -2,6 +2,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
+#include "mesh_distance.h"
 #include "mesh_refinement.h"
 #include "scallop_size.h"
 #include "step_over_march.h"
@@ -169,20 +170,26 @@ Status
 measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlines, const StepOverOptions& options, StepOverDistance& field,
                  const ProgressCallback& progress)
 {
+  field = StepOverDistance();
+  if (progress && !progress(0.0, "step-over field"))
+    return {StatusCode::Cancelled, "cancelled"};
+  StepOverMesh mesh;
+  if (const Status status = makeStepOverMesh(surface, outlines, options, mesh); !status.ok())
+    return status;
+  return measureOnMesh(std::move(mesh), surface.spacing(), options, field, progress);
+}
+
+Status
+measureOnMesh(StepOverMesh mesh, double spacing, const StepOverOptions& options, StepOverDistance& field, const ProgressCallback& progress)
+{
   const Status cancelled{StatusCode::Cancelled, "cancelled"};
   const auto part = [&progress](double from, double to) { return partOf(progress, from, to, "step-over field"); };
-  const auto go_on = [&progress](double share) { return !progress || progress(share, "step-over field"); };
   field = StepOverDistance();
   field.basis = {options.tool_radius, options.scallop_height};
-  if (!go_on(0.0))
-    return cancelled;
-  StepOverMesh coarse;
-  if (const Status status = makeStepOverMesh(surface, outlines, options, coarse); !status.ok())
-    return status;
-  field.usual_edge = medianEdge(coarse);
-  field.least_length = leastLength(coarse, options.reserve);
+  field.usual_edge = medianEdge(mesh);
+  field.least_length = leastLength(mesh, options.reserve);
   const double parts = std::max(2.0, std::ceil(narrow_parts * field.usual_edge));
-  field.mesh = std::move(coarse);
+  field.mesh = std::move(mesh);
   MarchedDistances marched;
   /** Cuts the chosen triangles, and measures anew what depends on them. */
   const auto cut = [&](const std::vector<std::uint8_t>& chosen, int pieces, double from, double to) -> Status {
@@ -198,7 +205,7 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
   };
   if (!marchOn(field.mesh, marched, part(0.1, 0.3)))
     return cancelled;
-  if (const Status status = checkWidth(field.mesh, marched.distance, surface.spacing()); !status.ok())
+  if (const Status status = checkWidth(field.mesh, marched.distance, spacing); !status.ok())
     return status;
   const std::vector<std::uint8_t> wide = wideBand(field.mesh, marched.distance, field.usual_edge);
   const auto all_cut = static_cast<double>(std::count(wide.begin(), wide.end(), 1)) * parts * parts;

@@ -33,7 +33,7 @@ constexpr double raised_above = finger_radius + blend;  // beyond it, D is the l
 constexpr std::size_t axis_stride = 8;                  // points of an axis between those about which nodes are looked for
 constexpr double axis_part = 0.5;                       // step-overs: longer than so many points of it
 constexpr std::size_t lower = NearestSegment::none - 1; // label
-constexpr int levels_together = 128;                    // traced, then drawn
+constexpr int levels_together = 64;                     // traced, then drawn
 constexpr std::int64_t a_level = 1 << 11;               // what it takes, as a share of the work between two reports of the progress
 constexpr double core_below = 0.38, core_above = 1.31;  // a core is examined between these levels
 
