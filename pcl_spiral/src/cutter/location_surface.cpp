@@ -4,7 +4,7 @@
 #include "coordinate_rounding.h"
 #include "graph/covering_radius.h"
 
-#include <pcl_spiral/core/impl/noise_bounds.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/features/impl/boundary_loops_engine.h>
 
 #include <Eigen/Geometry>

@@ -3,7 +3,7 @@
 
 #include "planning/joined_report.h"
 #include "planning/plan_regions.h"
-#include <pcl_spiral/collision/impl/way_check.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 
 #include <pcl/common/point_tests.h>
 

@@ -8,7 +8,7 @@
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/core/impl/noise_bounds.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 #include <pcl_spiral/verify/material_removal.h>
 

@@ -7,6 +7,7 @@
 
 #include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 #include <pcl_spiral/surface/scanned_surface.h>

@@ -5,8 +5,8 @@
 #include "planning/region_passes.h"
 #include "verify/program_pace.h"
 #include "verify/program_path.h"
-#include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/common/impl/progress.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>

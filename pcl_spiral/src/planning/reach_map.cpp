@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/planning/reach_map.h>
 
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/surface/impl/ball_reach.h>
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double largest_ball = 4.0; // tool radii
-constexpr double reach_share = 0.1;  // of the chord error, as for the path
 
 /** Adds the points of the surface of \p plan. */
 void

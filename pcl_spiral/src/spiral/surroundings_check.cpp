@@ -8,6 +8,7 @@
 #include <pcl_spiral/collision/impl/way_check.h>
 #include <pcl_spiral/common/impl/toolpath_fields.h>
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 
 #include <algorithm>
 #include <cmath>

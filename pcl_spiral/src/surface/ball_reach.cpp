@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/surface/impl/ball_reach.h>
 
-#include <pcl_spiral/core/impl/noise_bounds.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 
 #include "common/stoppable_loop.h"
 #include "empty_spheres.h"

@@ -2,7 +2,7 @@
 #include "noise_warning.h"
 
 #include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/core/impl/noise_bounds.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 
 namespace pcl_spiral {
 

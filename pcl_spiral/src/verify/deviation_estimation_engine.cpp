@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/core/impl/noise_bounds.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/verify/impl/deviation_estimation_engine.h>
 
 #include "common/stoppable_loop.h"

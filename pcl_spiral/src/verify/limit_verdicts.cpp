@@ -4,7 +4,7 @@
 #include "verify/figure_text.h"
 #include "verify/verification_figures.h"
 #include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/core/impl/noise_bounds.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 
 namespace pcl_spiral {
 namespace {

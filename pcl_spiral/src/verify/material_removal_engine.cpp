@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/material_removal_engine.h>
 
-#include <pcl_spiral/core/impl/noise_bounds.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 
 #include "path_order.h"
 #include "quantile.h"
@@ -18,8 +18,6 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t chunk = 1u << 13; // places between progress reports, where a run can be cancelled
-constexpr double noise_share = 0.1;     // of the chord error, and
-constexpr double moves_share = 2.0;     // of the chord error: how far a path over clusters keeps from their points
 constexpr double fit_share = 5.0;       // of the noise of the fit: depth of a ball that does not count
 constexpr std::size_t block = 32;       // consecutive places: the move found at one is tried first at the next
 
@@ -41,10 +39,10 @@ private:
   static std::unique_ptr<const BallReach> makeBall(const ReferenceSurface& reference, const RemovalSettings& settings)
   {
     const double radius = settings.corner_radius.value_or(settings.tool_radius);
-    const double noise = std::max(noise_share * settings.chord_error, fit_share * reference.fitNoise());
+    const double noise = std::max(reach_share * settings.chord_error, fit_share * reference.fitNoise());
     return radius > 0.0
                ? std::make_unique<BallReach>(reference.graph(), reference.surface(), radius, reachTolerance(reference.surface(), noise),
-                                             BallObstacles{reference.scanned().riddenPoints(), moves_share * settings.chord_error})
+                                             BallObstacles{reference.scanned().riddenPoints(), ride_share * settings.chord_error})
                : nullptr;
   }
   void count(std::size_t i, const SampleResult& result);

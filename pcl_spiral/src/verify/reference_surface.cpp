@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
 
-#include <pcl_spiral/core/impl/noise_bounds.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
 #include "cleaning/standing_clusters.h"

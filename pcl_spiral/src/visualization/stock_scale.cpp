@@ -2,7 +2,7 @@
 #include "actors.h"
 
 #include "value_style.h"
-#include <pcl_spiral/core/impl/noise_bounds.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "cleaning/standing_clusters.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
 
 #include <algorithm>
@@ -15,11 +16,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double noise_share = 0.1;   // of the chord error: the least tolerance
 constexpr double least_reached = 0.5; // of the points
 constexpr double well_reached = 0.9;  // of the points
 constexpr double surely = 0.95;       // of the largest radius there
-constexpr double moves_share = 2.0;   // of the chord error: straight moves between places of the ball cut a corner over a point
 constexpr double edge_share = 0.5;    // of the spacing: the edge of a thing lies between its last points and those beside it
 
 /** Adds the places where more than the scallop height stays: of \p points, their indices \p of in reach.unreached() and \p heights. */
@@ -156,8 +155,8 @@ makeReach(const Surface& surface, const SpiralSettings& settings, const std::vec
   if (settings.tight == TightHandling::Refuse)
     return nullptr;
   auto reach = std::make_unique<BallReach>(
-      surface.graph(), surface.fit(), settings.tool_radius, reachTolerance(surface.fit(), noise_share * settings.chord_error),
-      BallObstacles{surface.riddenPoints(), moves_share * settings.chord_error + edge_share * surface.spacing()}, beyond);
+      surface.graph(), surface.fit(), settings.tool_radius, reachTolerance(surface.fit(), reach_share * settings.chord_error),
+      BallObstacles{surface.riddenPoints(), ride_share * settings.chord_error + edge_share * surface.spacing()}, beyond);
   reach->addMissed(surface.fit(), surface.isolatedPoints(), surface.spacing());
   return reach;
 }

@@ -7,20 +7,11 @@
 #include <pcl_spiral/collision/surroundings.h>
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/core/impl/noise_bounds.h>
 
 #include <optional>
 #include <vector>
 
 namespace pcl_spiral {
-
-/** How deep a path that touches the scan may be in one of its points, mm: its chord error, and what counts as noise of a point. Of
- *  all checks of a path against points. */
-constexpr double
-gougeTolerance(double chord_error, double noise)
-{
-  return chord_error + point_deviations * noise;
-}
 
 /** The tool of a path. Lengths in mm. */
 struct WayTool {
