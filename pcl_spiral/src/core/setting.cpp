@@ -28,13 +28,16 @@ textOfValue(const Eigen::Vector3d& v)
   return shortest(v.x()) + "," + shortest(v.y()) + "," + shortest(v.z());
 }
 
-/** A number with the unit behind it, if there is one. */
+/** A number with the unit behind it, if there is one: "1 {spacing}", "2 {spacings}". */
 Diagnostic
 withUnit(double number, const Setting& setting)
 {
   const bool whole = number == std::floor(number) && std::abs(number) < 1e15;
   const Diagnostic digits = whole ? Diagnostic(static_cast<long long>(number)) : Diagnostic(number);
-  return setting.unit.empty() ? digits : Diagnostic(digits, " ", ("{" + setting.unit + "}").c_str());
+  std::string unit = setting.unit;
+  if (number == 1.0 && !unit.empty() && unit.back() == 's')
+    unit.pop_back();
+  return unit.empty() ? digits : Diagnostic(digits, " ", ("{" + unit + "}").c_str());
 }
 
 /** The range in words: "above 0 and below 90 {degrees}". */

@@ -116,6 +116,11 @@ TEST(settings, rangesInWords)
   EXPECT_EQ(rule(NumberRange::above(-90.0).below(90.0)), "must be above -90 and below 90 mm, such as 3");
   EXPECT_EQ(rule(NumberRange::from(0.0).upTo(0.25)), "must be from 0 to 0.25 mm, such as 3");
   EXPECT_EQ(rule(NumberRange()), "must be a number of mm, such as 3");
+  const auto count_of = [&](double least) {
+    return ruleOf(Setting("depth", "setDepth", "depth", "how deep", "3", number).in("spacings", NumberRange::from(least))).text();
+  };
+  EXPECT_EQ(count_of(1.0), "must be 1 spacing or more, such as 3");
+  EXPECT_EQ(count_of(2.0), "must be 2 spacings or more, such as 3");
   EXPECT_EQ(ruleOf(Setting("depth", "setDepth", "depth", "how deep", "", number).in("", NumberRange::above(0.0)).withRemedy("dig")).text(),
             "must be above 0; dig");
   unsigned int count = 4294967295U;
