@@ -175,6 +175,17 @@ Diagnostic::renamed(const std::string& from, const std::string& to) const
   return other;
 }
 
+Diagnostic
+Diagnostic::renamed(const std::map<std::string, std::string>& fields) const
+{
+  Diagnostic other = *this;
+  for (Part& part : other.parts_)
+    if (const auto found = fields.find(part.text); part.kind == Kind::Field && found != fields.end())
+      part.text = found->second;
+  other.text_ = other.text(Vocabulary());
+  return other;
+}
+
 Diagnostic&
 Diagnostic::operator+=(const Diagnostic& other)
 {

@@ -20,10 +20,11 @@ check(const PassAxisSettings& s)
 {
   if (!(s.smoothing_length >= 0.0) || !std::isfinite(s.smoothing_length))
     return {StatusCode::InvalidArgument, Diagnostic("the smoothing length is ", s.smoothing_length,
-                                                    " {mm}; set it above 0, or 0 for no smoothing ({setAxisSmoothing})")};
+                                                    " {mm}; set it above 0, or 0 for no smoothing ({PassSettings::axis_smoothing})")};
   if (!(s.max_rate >= 0.0) || !std::isfinite(s.max_rate))
     return {StatusCode::InvalidArgument,
-            Diagnostic("the axis rate is ", s.max_rate, " {degrees} per {mm}; set it above 0, or 0 for no limit ({setMaxAxisRate})")};
+            Diagnostic("the axis rate is ", s.max_rate,
+                       " {degrees} per {mm}; set it above 0, or 0 for no limit ({PassSettings::max_axis_rate})")};
   if (!(s.max_deviation > 0.0) || !(s.largest_deviation > 0.0))
     return {StatusCode::InvalidArgument, Diagnostic("the deviations allowed are ", s.max_deviation, " {degrees} on average and ",
                                                     s.largest_deviation, " at a point; set them above 0")};
@@ -88,10 +89,12 @@ smoothPassAxes(const PassAxisSettings& settings, DrivePasses& passes, PassAxisRe
     axes.push_back(std::move(found.axes));
   }
   if (report.largest_deviation > settings.largest_deviation)
-    return {StatusCode::InvalidArgument, Diagnostic("{setMaxAxisRate} ", settings.max_rate, ", {setAxisSmoothing} ",
-                                                    settings.smoothing_length, ": axes would lean ", report.largest_deviation,
-                                                    " {degrees} from the requested axes and would not cover the surface; raise "
-                                                    "the rate, or use a shorter smoothing length")};
+    return {StatusCode::InvalidArgument,
+            Diagnostic("at an axis rate of ", settings.max_rate, " {degrees} per {mm} and a smoothing length of ",
+                       settings.smoothing_length, " {mm} axes would lean ", report.largest_deviation,
+                       " {degrees} from the requested axes and would not cover the surface; raise "
+                       "the rate ({PassSettings::max_axis_rate}), or use a shorter smoothing length "
+                       "({PassSettings::axis_smoothing})")};
   if (report.largest_deviation > least_warned)
     report.warnings.push_back(
         Diagnostic("smoothing and the rate limit turn axes by up to ", report.largest_deviation, " {degrees} from the requested axes"));

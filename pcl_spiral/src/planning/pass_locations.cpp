@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/pass_locations.h"
 
+#include "planning/field_names.h"
 #include "planning/tool_way.h"
 
 #include "cutter/tool_body.h"
@@ -47,7 +48,7 @@ locateCutter(const PassSettings& settings, const SurfaceSettings& surface, const
   location.compute(located);
   plan.locations = location.getFigures();
   plan.bisection = location.getBisectionFigures();
-  return location.getStatus();
+  return renamed(location.getStatus(), location_names);
 }
 
 namespace {

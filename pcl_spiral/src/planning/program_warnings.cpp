@@ -59,12 +59,12 @@ checkBeam(const MachineProgram& program)
   const auto slowest = std::min_element(program.blocks.begin(), program.blocks.end(), [&](const ProgramBlock& a, const ProgramBlock& b) {
     return std::abs(a.arc_length - report.least_feed_at) < std::abs(b.arc_length - report.least_feed_at);
   });
-  return {StatusCode::Failed,
-          Diagnostic("at ", Place(slowest->tip), " the rotary axes turn so far that the beam moves at only ",
-                     100.0 * report.least_feed_share,
-                     " % of the feed while it is on, and would burn the part: tilt the beam "
-                     "({setTilt} 20), or turn the part on the machine, so that the tool axis stays away from the direction of ",
-                     std::string(1, program.machine.rotary[0].letter))};
+  return {
+      StatusCode::Failed,
+      Diagnostic("at ", Place(slowest->tip), " the rotary axes turn so far that the beam moves at only ", 100.0 * report.least_feed_share,
+                 " % of the feed while it is on, and would burn the part: tilt the beam "
+                 "({RidgeRowSettings::tilt} 20), or turn the part on the machine, so that the tool axis stays away from the direction of ",
+                 std::string(1, program.machine.rotary[0].letter))};
 }
 
 } // namespace pcl_spiral

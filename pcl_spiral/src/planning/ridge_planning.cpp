@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/planning/impl/ridge_planning.h>
 
+#include "planning/field_names.h"
 #include "planning/part_surface.h"
 #include "planning/pass_locations.h"
 #include "planning/pass_mesh.h"
@@ -22,12 +23,6 @@ bool
 hasCutter(const RidgePlanInput& input)
 {
   return input.tool.cutter.radius != 0.0;
-}
-
-void
-addWarnings(const Diagnostics& more, RidgePlan& plan)
-{
-  plan.warnings.insert(plan.warnings.end(), more.begin(), more.end());
 }
 
 /** What belongs to measured lines, to a ridge in a scan, to a beam, and to a cutter. */
@@ -77,7 +72,7 @@ checkInput(const RidgePlanInput& input)
                    "rough points in place of the lines ({setRoughPoints})");
   for (const Diagnostic& fault : {rangeFault(input.tool), rangeFault(input.ridge)})
     if (!fault.empty())
-      return {StatusCode::InvalidArgument, fault};
+      return {StatusCode::InvalidArgument, fault.renamed(ridge_names)};
   return Status::success();
 }
 
@@ -117,12 +112,12 @@ findLines(const RidgePlanInput& input, RidgePlan& plan)
   pcl::PointCloud<pcl::PointXYZ> rail, generator;
   lines.compute(rail, generator);
   if (!lines.getStatus().ok())
-    return lines.getStatus();
+    return renamed(lines.getStatus(), ridge_names);
   plan.rail = lines.getRail();
   plan.generator = lines.getGenerator();
   plan.ridge = lines.getRidge();
   plan.found = lines.getReport();
-  addWarnings(plan.found->warnings, plan);
+  addRenamed(plan.found->warnings, ridge_names, plan.warnings);
   return Status::success();
 }
 
@@ -133,8 +128,8 @@ takeLines(const RidgePlanInput& input, RidgePlan& plan)
   plan.rail = input.rail;
   plan.generator = input.generator;
   if (const Status status = RidgeSurface::make(plan.rail, plan.generator, input.ridge, plan.ridge); !status.ok())
-    return status;
-  addWarnings(plan.ridge->report().warnings, plan);
+    return renamed(status, ridge_names);
+  addRenamed(plan.ridge->report().warnings, ridge_names, plan.warnings);
   return Status::success();
 }
 
@@ -142,8 +137,8 @@ Status
 makeRows(const RidgePlanInput& input, RidgePlan& plan, DrivePasses& rows)
 {
   if (const Status status = planRidgeRows(*plan.ridge, input.rows, rows, plan.rows); !status.ok())
-    return status;
-  addWarnings(plan.rows.warnings, plan);
+    return renamed(status, ridge_names);
+  addRenamed(plan.rows.warnings, ridge_names, plan.warnings);
   PassAxisSettings settings;
   settings.smoothing_length = input.tool.axis_smoothing;
   settings.max_rate = input.tool.max_axis_rate;
@@ -151,7 +146,7 @@ makeRows(const RidgePlanInput& input, RidgePlan& plan, DrivePasses& rows)
     settings.stand_off = input.rows.stand_off;
   PassAxisReport report;
   const Status status = smoothPassAxes(settings, rows, report);
-  addWarnings(report.warnings, plan);
+  plan.warnings.insert(plan.warnings.end(), report.warnings.begin(), report.warnings.end());
   return status;
 }
 
@@ -184,7 +179,7 @@ takeCutter(const RidgePlanInput& input, const DrivePasses& rows, RidgePlan& plan
           takeChecked(input.tool, located,
                       "no row has two cutter locations over the part: check that lines and scan are in the same coordinates", plan);
       !status.ok())
-    return status;
+    return renamed(status, tool_names);
   warnOfLocations(input.tool, plan);
   return Status::success();
 }

@@ -125,7 +125,7 @@ planRidgeRows(const RidgeSurface& surface, const RidgeRowSettings& settings, Dri
   const double row = (along_rail ? surface.rail() : surface.generator()).length() + settings.run_in + settings.run_out;
   if (static_cast<double>(places.size()) * row / settings.point_spacing > most_points)
     return invalid(Diagnostic("the rows would have more than ", most_points,
-                              " points: raise the spacing of points ({setPointSpacing}) or the step-over"));
+                              " points: raise the spacing of points ({setPointSpacing}), or the step-over ({setStepOver})"));
   std::vector<RidgeRow> rows(places.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::int64_t k = 0; k < static_cast<std::int64_t>(places.size()); ++k)

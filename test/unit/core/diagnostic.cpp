@@ -84,6 +84,9 @@ TEST(Diagnostic, GrowsByOthers)
   EXPECT_EQ(d.text(), "a mm, b at (1, 2, 3)a mm, b at (1, 2, 3)");
   EXPECT_EQ(d.places().size(), 2u);
   EXPECT_EQ(Diagnostic("file ", std::string("x.tmp"), " at x.tmp").renamed("x.tmp", "x.csv").text(), "file x.csv at x.tmp");
+  const Diagnostic of_rows = lowStep().renamed({{"setStepOver", "RowSettings::step"}, {"a{mm}(b.csv", "x"}});
+  EXPECT_EQ(of_rows.settings(), std::vector<std::string>{"RowSettings::step"});
+  EXPECT_EQ(of_rows.names(), lowStep().names());
 }
 
 #pragma GCC diagnostic push

@@ -195,8 +195,7 @@ TEST(PassAxes, AxesThatWouldLeanTooFarAreRefusedAndTheRemedyHelps)
   PassAxisReport report;
   const Status status = smoothPassAxes(over(0.0, 0.1), passes, report);
   EXPECT_EQ(status.code(), StatusCode::InvalidArgument);
-  for (const char* part :
-       {"setMaxAxisRate 0.1, setAxisSmoothing 0: axes would lean ", " degrees from the requested axes", "raise the rate"})
+  for (const char* part : {"at an axis rate of 0.1 degrees per mm", " degrees from the requested axes", "raise the rate"})
     EXPECT_NE(status.message().find(part), std::string::npos) << status.message();
   EXPECT_GT(report.largest_deviation, 45.0);
   for (std::size_t i = 0; i < pass.points.size(); ++i)
@@ -225,8 +224,8 @@ TEST(PassAxes, SettingsOutOfRangeAreRefused)
   for (const double wrong : {-1.0, nan, std::numeric_limits<double>::infinity()}) {
     DrivePasses passes{ring()};
     PassAxisReport report;
-    EXPECT_NE(smoothPassAxes(over(wrong), passes, report).message().find("(setAxisSmoothing)"), std::string::npos);
-    EXPECT_NE(smoothPassAxes(over(8.0, wrong), passes, report).message().find("(setMaxAxisRate)"), std::string::npos);
+    EXPECT_NE(smoothPassAxes(over(wrong), passes, report).message().find("(PassSettings::axis_smoothing)"), std::string::npos);
+    EXPECT_NE(smoothPassAxes(over(8.0, wrong), passes, report).message().find("(PassSettings::max_axis_rate)"), std::string::npos);
   }
   for (double PassAxisSettings::*deviation : {&PassAxisSettings::max_deviation, &PassAxisSettings::largest_deviation})
     for (const double wrong : {0.0, -1.0, nan}) {

@@ -104,6 +104,8 @@ public:
 
   /** The same with the name \p to for each name \p from. */
   Diagnostic renamed(const std::string& from, const std::string& to) const;
+  /** The same with other words for its fields: of a class that names settings of another one its own way. */
+  Diagnostic renamed(const std::map<std::string, std::string>& fields) const;
 
   Diagnostic& operator+=(const Diagnostic& other); ///< Adds the parts of \p other behind these.
   /** The parts of both. */
