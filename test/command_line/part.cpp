@@ -411,7 +411,7 @@ TEST_F(Part, CropsThatLeaveNothingAndWrongValues)
     EXPECT_EQ(result.code, code) << result.err;
     EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
   };
-  refused({"--crop", "500,600,0,10"}, 2, "no point is left after --crop and --keep-out; the scan lies from (-");
+  refused({"--crop", "500,600,0,10"}, 2, "no point is left after --crop; the scan lies from (-");
   refused({"--crop", "0,10,20"}, 2, "xmin,xmax,ymin,ymax");
   refused({"--crop", "10,0,0,10"}, 2, "the second number");
   refused({"--crop", "nothing.txt"}, 1, "nothing.txt");

@@ -31,14 +31,15 @@ Status
 checkDirections(const DriveSettings& s)
 {
   if (!s.axis.allFinite() || !(s.axis.norm() > shortest))
-    return bad(Diagnostic("the tool axis is ", Direction(s.axis), ", which has no direction; set it from the tip to the shank"));
+    return bad(
+        Diagnostic("the tool axis is ", Direction(s.axis), ", which has no direction; set it from the tip to the shank ({setAxis})"));
   if (s.kind != DriveKind::Planes)
     return Status::success();
   if (!s.plane_direction.allFinite())
     return bad("the direction of the section planes is not finite; set an angle in {degrees}, or a vector ({setPlaneDirection})");
   if (!s.plane_direction.isZero(0.0) && !(s.axis.normalized().cross(s.plane_direction.normalized()).norm() > most_parallel))
     return bad(Diagnostic("the direction of the passes ", Direction(s.plane_direction), " is parallel to the tool axis ", Direction(s.axis),
-                          ": they define no plane; set a direction across the axis"));
+                          ": they define no plane; set a direction across the axis ({setPlaneDirection})"));
   return Status::success();
 }
 

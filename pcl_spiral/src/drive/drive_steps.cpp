@@ -33,10 +33,11 @@ checkDriveSize(double points, double crossings, const DriveSettings& settings)
           Diagnostic("this drive path would be too large: about ", points, " points and ", bytes / 1e9, " GB of memory, but at most ",
                      most_path_points, " points are possible", (memory ? Diagnostic(" and ", *memory / 1e9, " GB are free") : Diagnostic()),
                      "; is the part in another unit than {mm} ({ReadOptions::unit})? Otherwise raise ",
-                     (settings.kind == DriveKind::Curve  ? Diagnostic()
-                      : settings.rows == DriveRows::Kept ? Diagnostic("the scallop height (", settings.scallop_height, " {mm}) or ")
-                                                         : Diagnostic("the step-over (", settings.step_over, " {mm}) or ")),
-                     "the spacing of points (", settings.point_spacing, " {mm})")};
+                     (settings.kind == DriveKind::Curve ? Diagnostic()
+                      : settings.rows == DriveRows::Kept
+                          ? Diagnostic("the scallop height, now ", settings.scallop_height, " {mm} ({setScallop}), or ")
+                          : Diagnostic("the step-over, now ", settings.step_over, " {mm} ({setStepOver}), or ")),
+                     "the spacing of points, now ", settings.point_spacing, " {mm} ({setPointSpacing})")};
 }
 
 DrivePass

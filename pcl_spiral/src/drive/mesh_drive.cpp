@@ -132,7 +132,7 @@ planMeshDrive(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& settings, 
 {
   if (settings.kind == DriveKind::BoundaryOffset)
     return {StatusCode::InvalidArgument,
-            "offsets of the boundary run over the points of a scan, not over a mesh: call {setKind}({DriveKind::Planes}), "
+            "offsets of the boundary run over the points of a scan, not over a mesh: choose planes ({setKind}), "
             "or give the mesh's vertices as a cloud ({setInputCloud})"};
   if (settings.rows == DriveRows::Kept && settings.cutter && !hasBallEnd(*settings.cutter))
     return {StatusCode::InvalidArgument, "on a mesh only a ball keeps rows to a scallop height: give the mesh's vertices as a cloud "

@@ -154,6 +154,8 @@ complete(DrivePlanInput& input)
   input.tool.cutter = *drive.cutter;
   if (const Diagnostic fault = faultOf(*drive.cutter); !fault.empty())
     return {StatusCode::InvalidArgument, Diagnostic("the cutter ({setCutter}): ", fault)};
+  if (const Diagnostic fault = rangeFault(input.tool); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
   if (drive.scallop_height > 0.0 && drive.step_over == 0.0) {
     const std::optional<double> step = stepForScallop(CutterProfile(*drive.cutter), drive.scallop_height);
     if (!step)

@@ -28,6 +28,24 @@ boxText(const pcl::PointCloud<pcl::PointXYZ>& cloud)
   return Diagnostic("from ", Place(box.min()), " to ", Place(box.max()));
 }
 
+/** What leaves no point of \p cloud, and what to do. */
+Diagnostic
+noneLeftText(const PartChoice& choice, const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  Diagnostic given, remedy;
+  const auto add = [&](bool is_given, const char* setter, const char* change) {
+    if (!is_given)
+      return;
+    given += Diagnostic(given.empty() ? "" : " and ", setter);
+    remedy += Diagnostic(remedy.empty() ? "" : " or ", change);
+  };
+  add(choice.crop_box.has_value(), "{setCropBox}", "a larger crop");
+  add(choice.crop.has_value(), "{setCrop}", "a larger crop");
+  add(choice.region.has_value(), "{addRegion}", "a larger region");
+  add(!choice.keep_outs.empty(), "{addKeepOut}", "smaller keep-outs");
+  return Diagnostic("no point is left after ", given, "; the {scan} lies ", boxText(cloud), ": give ", remedy);
+}
+
 template <typename Cloud>
 typename Cloud::Ptr
 selected(const Cloud& cloud, const pcl::Indices& indices)
@@ -105,13 +123,8 @@ public:
    *  beside the part. */
   Status keepOnly(const pcl::Indices& kept, const pcl::Indices& echoes)
   {
-    if (kept.empty()) {
-      const char* const crop = choice_.crop_box ? "{setCropBox}" : "{setCrop}";
-      const char* const more = choice_.region ? ", {addRegion}" : "";
-      return {StatusCode::InvalidArgument,
-              Diagnostic("no point is left after ", crop, more, " and {addKeepOut}; the {scan} lies ", boxText(*cloud_),
-                         ": give a larger crop", choice_.region ? " or region" : "", ", or smaller keep-outs")};
-    }
+    if (kept.empty())
+      return {StatusCode::InvalidArgument, noneLeftText(choice_, *cloud_)};
     auto next = kept.begin();
     for (std::size_t i = 0; i < cloud_->size(); ++i) {
       if (next != kept.end() && static_cast<std::size_t>(*next) == i) {

@@ -38,6 +38,13 @@ textOfCollision(const LedTool& tool, const LeadFigures& figures)
   return Diagnostic(collisionText(tool, figures.deepest), "; ", figures.collided, " of the ", figures.moves, " moves off the path collide");
 }
 
+/** Whether \p section runs at the height of rapids. */
+bool
+isAbovePart(BlockSection section)
+{
+  return section == BlockSection::Position || section == BlockSection::Unwind;
+}
+
 /** Whether the centre of a ball at its end can stay while the axis turns; its flank may be of any length. */
 bool
 endsInBall(const CutterShape& cutter)
@@ -133,9 +140,10 @@ ProgramPlanner::checkLeads(const MachineProgram& program)
     warnings_.push_back(textOfCollision(planned_.tool, obstacles));
   else
     return {StatusCode::Failed,
-            Diagnostic(textOfCollision(planned_.tool, obstacles),
-                       ": lean the tool axis another way, take another {ProgramSettings::lead} or {ProgramSettings::lead_length}, a "
-                       "slimmer or longer tool, or {setAcceptCollisions} to write the output anyway")};
+            Diagnostic(textOfCollision(planned_.tool, obstacles), ": lean the tool axis another way, ",
+                       isAbovePart(obstacles.deepest.section) ? "raise the rapids ({ProgramSettings::rapid_height}), take "
+                                                              : "take another {ProgramSettings::lead} or {ProgramSettings::lead_length}, ",
+                       "a slimmer or longer tool, or {setAcceptCollisions} to write the output anyway")};
   return Status::success();
 }
 

@@ -124,10 +124,11 @@ remedyOf(const DrivePlanInput& input, const PassPlan& plan, double height)
 {
   const bool can_keep = input.drive.kind == DriveKind::Planes && input.drive.rows == DriveRows::Even && !input.mesh &&
                         input.drive.axisMode() != DriveAxisMode::Cylinder;
-  const Diagnostic higher =
-      more_left * height < input.tool.cutter.radius ? Diagnostic(", ask for {setScallop} ", more_left * height) : ""; // else refused
-  return Diagnostic(can_keep ? "use {setRows} kept" : "take a cutter with a smaller radius", higher, ", or give {setStepOver} ",
-                    plan.drive.step_over, " instead, which promises no height");
+  const Diagnostic higher = more_left * height < input.tool.cutter.radius // else refused
+                                ? Diagnostic(", ask for {setScallop} ", more_left * height, " at {setStepOver} ", plan.drive.step_over,
+                                             ", or give this step-over alone")
+                                : Diagnostic(", or give {setStepOver} ", plan.drive.step_over, " instead");
+  return Diagnostic(can_keep ? "use {setRows} kept" : "take a cutter with a smaller radius", higher, ", which promises no height");
 }
 
 /** Whether rows are even or kept over all of a scan, and nothing else says what they leave out. */

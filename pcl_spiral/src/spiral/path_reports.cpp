@@ -53,8 +53,8 @@ Status
 neitherMethod(const Status& scallop, const Status& radial)
 {
   return {StatusCode::Failed,
-          Diagnostic("both methods fail here, so the other one ({setMethod}) is no remedy: cut the part into pieces ({PartRegion}), scan "
-                     "it more densely, or take another scallop height ({setScallopHeight}). At constant scallop height: ",
+          Diagnostic("both methods fail here, so the other one is no remedy: cut the part into pieces ({PartRegion}), or scan it more "
+                     "densely. At constant scallop height: ",
                      scallop.diagnostic(), ". With radial lines: ", radial.diagnostic())};
 }
 

@@ -125,7 +125,7 @@ Diagnostics
 sideWarnings(const OuterSide& side)
 {
   Diagnostics warnings;
-  if (side.normals_ignored)
+  if (side.normals_ignored && side.vote != SideVote::ViewPoint) // which decides in their place
     warnings.push_back(Diagnostic("the given normals have no common side and were not used: they agree on ",
                                   percent(side.normals_agreement),
                                   " of the area, below 90 %; orient them, or give a view point ({setViewPoint})"));

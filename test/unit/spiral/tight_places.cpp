@@ -81,7 +81,7 @@ TEST_P(Tight, TheTightestIsNamedAndTheRemedyFits)
     EXPECT_NEAR(numberAfter(message, " mm at ("), tightest.x, 1.5) << message;
     EXPECT_NE(message.find("in 3 separate places"), std::string::npos) << message;
     EXPECT_GT(numberAfter(message, "the tightest of "), 10.0) << message;
-    const double fitting = numberAfter(message, "or use a smaller tool: a radius of ");
+    const double fitting = numberAfter(message, "or use a smaller tool (setToolRadius): a radius of ");
     EXPECT_GT(fitting, 0.6 * tightest.radius) << message;
     EXPECT_LT(fitting, tightest.radius) << message;
     const Status made = run(cloud, GetParam(), fitting);

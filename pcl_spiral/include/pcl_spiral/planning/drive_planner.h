@@ -89,7 +89,7 @@ private:
     if (const Status status = checkThreads(this->getNumberOfThreads()); !status.ok())
       return status;
     const ThreadLimit limit(this->getNumberOfThreads());
-    if (const Status status = this->on_mesh_ ? this->prepareMesh(mesh_settings_) : this->checkInput(); !status.ok())
+    if (const Status status = this->on_mesh_ ? this->prepareMesh(mesh_settings_) : this->checkScan(); !status.ok())
       return status;
     DrivePlanInput input;
     input.surface = this->surfaceSettings();

@@ -128,7 +128,7 @@ private:
       return {StatusCode::InvalidArgument, "{setFlipNormals} was called, but the mesh given is prepared already: turn it by "
                                            "{MeshSettings::flip}, or give its polygons"};
     if (!plan_input_.mesh)
-      if (const Status status = this->checkInput(); !status.ok())
+      if (const Status status = this->checkScan(); !status.ok())
         return status;
     if (plan_input_.mesh && (this->getInputNormals() || this->givenIndices()))
       return {StatusCode::InvalidArgument, Diagnostic(this->getInputNormals() ? "{setInputNormals}" : "{setIndices}",

@@ -98,12 +98,24 @@ protected:
    *  their own settings before the surface is made. */
   Status checkInput() const
   {
-    if (!given_surface_ && (!this->input_ || this->input_->empty()))
-      return {StatusCode::InvalidInput, "the input cloud is missing or empty: call {setInputCloud} with points, or {setInputSurface}"};
-    if (!given_surface_)
-      if (const Status status = scanned_.checkNormals(this->input_->size()); !status.ok())
-        return status;
-    return checkShared();
+    return given_surface_ ? checkShared()
+                          : checkCloud("the input cloud is missing or empty: call {setInputCloud} with points, or "
+                                       "{setInputSurface}");
+  }
+
+  /** The same for classes that take a whole scan, or a mesh in its place, but no surface. */
+  Status checkScan() const
+  {
+    return checkCloud("the input cloud is missing or empty: call {setInputCloud} with points, or {setInputMesh}");
+  }
+
+  /** Ok, or an error: \p missing if there is no cloud, a wrong number of normals, or what checkShared refuses. */
+  Status checkCloud(const char* missing) const
+  {
+    if (!this->input_ || this->input_->empty())
+      return {StatusCode::InvalidInput, missing};
+    const Status status = scanned_.checkNormals(this->input_->size());
+    return status.ok() ? checkShared() : status;
   }
 
   /** Ok, or an error: an index outside the cloud, or a number of threads that nobody means. For any source of the surface. */

@@ -71,15 +71,25 @@ partsAbove(const StepOverMesh& mesh, const std::vector<double>& height, std::vec
   return part;
 }
 
-/** Ok, or an error with the place if the rest of the surface falls into pieces. */
+/** The settings that move \p loops inside by \p margins. */
+const char*
+settersOf(const std::vector<BoundaryLoop>& loops, const std::vector<double>& margins)
+{
+  bool rim = false, holes = false;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    (loops[i].type == LoopType::Outer ? rim : holes) |= margins[i] > 0.0;
+  return !holes ? " ({setRimOverhang})" : !rim ? " ({setHoleMargin})" : " ({setRimOverhang}, {setHoleMargin})";
+}
+
+/** Ok, or an error with the place if the rest of the surface falls into pieces. \p setters: what makes the distance. */
 Status
-checkWhole(const StepOverMesh& mesh, const std::vector<double>& height)
+checkWhole(const StepOverMesh& mesh, const std::vector<double>& height, const char* setters)
 {
   std::vector<std::size_t> sizes;
   const std::vector<std::uint32_t> part = partsAbove(mesh, height, sizes);
   if (sizes.empty())
-    return {StatusCode::InvalidInput, "at this distance inside its rims nothing is left of the surface: make the distance smaller "
-                                      "({setRimOverhang}, {setHoleMargin})"};
+    return {StatusCode::InvalidInput,
+            Diagnostic("at this distance inside its rims nothing is left of the surface: make the distance smaller", setters)};
   const auto largest = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   const std::size_t all = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   for (std::uint32_t p = 0; p < sizes.size(); ++p)
@@ -87,8 +97,7 @@ checkWhole(const StepOverMesh& mesh, const std::vector<double>& height)
       const std::size_t v = static_cast<std::size_t>(std::find(part.begin(), part.end(), p) - part.begin());
       return {StatusCode::InvalidInput,
               Diagnostic("at this distance inside its rims the surface falls into pieces, one of them near ", Place(mesh.positions[v]),
-                         ": the surface is narrower than twice the distance; make "
-                         "the distance smaller ({setRimOverhang}, {setHoleMargin})")};
+                         ": the surface is narrower than twice the distance; make the distance smaller", setters)};
     }
   return Status::success();
 }
@@ -162,7 +171,8 @@ moveInside(const Surface& surface, const std::vector<double>& margins, std::vect
     return status;
   std::fill(mesh.metric.begin(), mesh.metric.end(), StepOverMetric(Eigen::Matrix3d::Identity()));
   const std::vector<double> height = distancesFromRims(mesh, starts);
-  if (const Status status = checkWhole(mesh, height); !status.ok())
+  const char* const setters = settersOf(loops, margins);
+  if (const Status status = checkWhole(mesh, height, setters); !status.ok())
     return status;
   const double spacing = surface.spacing();
   std::size_t outer = 0;
@@ -188,8 +198,8 @@ moveInside(const Surface& surface, const std::vector<double>& margins, std::vect
       result.push_back(loops[i]);
     }
   if (outer != 1)
-    return {StatusCode::InvalidInput, Diagnostic("at this distance inside its rims the surface has ", outer,
-                                                 " outer outlines: make the distance smaller ({setRimOverhang}, {setHoleMargin})")};
+    return {StatusCode::InvalidInput,
+            Diagnostic("at this distance inside its rims the surface has ", outer, " outer outlines: make the distance smaller", setters)};
   std::stable_partition(result.begin(), result.end(), [](const BoundaryLoop& loop) { return loop.type == LoopType::Outer; });
   loops = std::move(result);
   return Status::success();

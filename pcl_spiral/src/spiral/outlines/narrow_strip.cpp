@@ -77,8 +77,8 @@ keepOutText(const Polyline& places, double spacing)
   for (const Eigen::Vector3d& p : places)
     box.extend(p);
   const Eigen::Vector3d aside(spacing, spacing, 0.0);
-  return Diagnostic("keep the cutter out of what stands there with a polygon that covers it, from ", Place(box.min() - aside), " to ",
-                    Place(box.max() + aside), " ({addKeepOut}), or ");
+  return Diagnostic("keep the cutter out of what stands there with a polygon that covers all of it, at least from ",
+                    Place(box.min() - aside), " to ", Place(box.max() + aside), " ({addKeepOut}), or ");
 }
 
 } // namespace pcl_spiral

@@ -65,10 +65,11 @@ checkPathSize(const PathSize& size, double area, const SpiralSettings& settings,
   const Diagnostic limit = too_many ? Diagnostic(", but at most ", most_path_points, " points are possible")
                                     : Diagnostic(", but only ", *memory / 1e9, " GB are free");
   return {StatusCode::InvalidArgument,
-          Diagnostic(asked, limit, "; is the {scan} in another unit than {mm} ({ReadOptions::unit})? Otherwise raise the scallop height (",
-                     settings.scallop_height, " {mm}), the chord error (", settings.chord_error, " {mm}) or the longest move (",
-                     settings.max_step > 0.0 ? settings.max_step : settings.tool_radius, " {mm}), or take a larger tool (radius ",
-                     settings.tool_radius, " {mm})")};
+          Diagnostic(asked, limit,
+                     "; is the {scan} in another unit than {mm} ({ReadOptions::unit})? Otherwise raise the scallop height, now ",
+                     settings.scallop_height, " {mm} ({setScallopHeight}), ",
+                     settings.max_step > 0.0 ? Diagnostic("the longest move, now ", settings.max_step, " {mm} ({setMaxStep}), ") : "",
+                     "or take a larger tool, now of radius ", settings.tool_radius, " {mm} ({setToolRadius})")};
 }
 
 } // namespace pcl_spiral

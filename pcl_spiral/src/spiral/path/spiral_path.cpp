@@ -242,9 +242,8 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
                        own_curve ? Diagnostic(": change the curve there; its passes must not cross either")
                        : settings.method == SpiralMethod::ConstantScallop
                            ? Diagnostic(": if the {scan} holds more than the part, such as the table below it, crop it to the part "
-                                        "({setCrop}); else choose the other sense ({setSense}), ") +
-                                 (settings.one_way ? "" : "passes with lifts between them ({setOneWay}), ") +
-                                 "another scallop height or the radial method ({setMethod})"
+                                        "({setCrop}); else choose another scallop height ({setScallopHeight}) or the other sense "
+                                        "({setSense})")
                            : ": the radial lines there are not in order; " + constantScallopRemedy(settings))};
   measureTurns(path, settings, figures);
   return checkReversals(figures.reversals, settings);

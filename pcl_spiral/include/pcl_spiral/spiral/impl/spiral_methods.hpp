@@ -130,8 +130,10 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::Con
     return scallop.code() == StatusCode::Failed && !radial.ok() ? neitherMethod(scallop, radial) : scallop;
   }
   const Status scallop = makeConstantScallop(surface, loops, !foresight.why_not_radial.empty(), clock, attempt);
-  if (scallop.code() != StatusCode::Failed || !foresight.why_not_radial.empty())
+  if (scallop.code() != StatusCode::Failed)
     return scallop;
+  if (!foresight.why_not_radial.empty())
+    return neitherMethod(scallop, {StatusCode::Failed, foresight.why_not_radial});
   attempt = first;
   attempt.warnings.push_back(
       Diagnostic("the radial method made the path, though a shorter one was foreseen at constant scallop height: ", scallop.diagnostic()));
