@@ -118,10 +118,10 @@ remediesOf(const Scene& scene, const std::vector<std::string>& arguments, const 
     remedies.push_back({"--tilt 0", {"--tilt", "0"}});
   if (names("the radial method (--method)") && !given("--method"))
     remedies.push_back({"--method radial", {"--method", "radial"}});
-  if (names("choose the other sense (--sense)") && !given("--sense"))
+  if (names("another scallop height (--scallop)"))
+    remedies.push_back({"--scallop", {}, 0.0, 0.7 * scene.scallop});
+  if (names("the other sense (--sense)") && !given("--sense"))
     remedies.push_back({"--sense cw", {"--sense", "cw"}});
-  if (names("(--one-way)") && !given("--one-way"))
-    remedies.push_back({"--one-way", {"--one-way"}});
   for (const std::smatch& match : matches(said, "use a smaller tool(?: \\(--tool-radius\\))?: a radius of " + number + " mm"))
     remedies.push_back({"--tool-radius", {}, std::stod(match[1])});
   return remedies;

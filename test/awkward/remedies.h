@@ -18,6 +18,7 @@ struct Remedy {
   std::string name;                   ///< as the message has it, such as "--keep-out"
   std::vector<std::string> arguments; ///< to add to those that were refused
   double radius = 0.0;                ///< of another ball, mm; 0: the same one
+  double scallop = 0.0;               ///< another height, mm; 0: the same one
 };
 
 /** The remedies that \p said names to a run with \p arguments, one after the other, as a user who knows the part takes them. Polygons are

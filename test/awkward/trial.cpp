@@ -82,6 +82,8 @@ private:
     Scene scene = refused;
     if (remedy.radius > 0.0)
       scene.radius = remedy.radius;
+    if (remedy.scallop > 0.0)
+      scene.scallop = remedy.scallop;
     const RunResult result = run(scene, arguments, folder_);
     tried_.push_back(chain + ": " + (result.code == 0 ? "path" : "refused"));
     if (result.code == 0) {
