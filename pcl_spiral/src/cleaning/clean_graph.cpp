@@ -63,7 +63,7 @@ public:
     left_out_.assign(points.size(), 0);
     source_ = GraphSource();
     Status status = buildEvenly(points);
-    if (status.ok())
+    if (status.ok() && !options_.heights)
       status = leaveOutliersOut();
     if (status.ok() && source_.surplus > 0 && any_left_out_) {
       status = buildEvenly(points);
@@ -91,7 +91,7 @@ private:
     if (check_ && !any_left_out_)
       if (const Status status = check_(blocks); !status.ok())
         return status;
-    EvenSpread spread = evenSpread(blocks);
+    EvenSpread spread = options_.heights ? EvenSpread() : evenSpread(blocks);
     if (spread.kept.size() < SurfaceGraph::fewest_points) // a strip two or three points wide is a line everywhere
       spread = EvenSpread();
     source_.surplus = spread.surplus;

@@ -6,6 +6,7 @@
 #include "search/neighbour_search.h"
 #include <pcl_spiral/core/impl/frame.h>
 
+#include "grid_triangles.h"
 #include "local_shape.h"
 #include "normal_orientation.h"
 #include "outlier_candidates.h"
@@ -159,6 +160,16 @@ visitAll(const PointBlocks& blocks, double max_circumradius, PointShapes& shapes
   return stars;
 }
 
+/** Flags of the \p normals that do not point \p along. */
+std::vector<std::uint8_t>
+signsAlong(const Eigen::Vector3d& along, const std::vector<Eigen::Vector3f>& normals)
+{
+  std::vector<std::uint8_t> flipped(normals.size());
+  const Eigen::Vector3f up = along.cast<float>();
+  forPoints(normals.size(), [&](std::uint32_t i) { flipped[i] = normals[i].dot(up) < 0.0f; });
+  return flipped;
+}
+
 double
 median(std::vector<float> values)
 {
@@ -204,7 +215,7 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
   if (!(p.spacing > 0.0))
     return {StatusCode::InvalidInput, "most points of the {cloud} coincide: remove duplicates or check the units"};
 
-  std::vector<std::uint8_t> flipped = consistentSigns(p.normals, stars);
+  std::vector<std::uint8_t> flipped = options.heights ? signsAlong(options.heights->along(), p.normals) : consistentSigns(p.normals, stars);
   p.side = chooseOuterSide(p.blocks, p.normals, p.radii, far_off * usual_radius, options, flipped);
   const Eigen::Vector4d zero = Eigen::Vector4d::Zero();
   const Eigen::Vector4d sum = sumOverPoints(p.blocks.size(), zero, [&](std::uint32_t i, Eigen::Vector4d& part) {
@@ -216,8 +227,10 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
     part += area * p.normals[i].cast<double>().homogeneous();
   });
   p.mean_normal = sum.head<3>() / sum.w();
-  const auto triangles = std::make_shared<Triangulation>(triangulate(p.blocks.points(), std::move(stars), pinhole_edges));
-  removeUnseenSteps({p.blocks, p.normals, p.radii, static_cast<float>(evenSpacing(1.0, p.neighbours))}, *triangles);
+  const auto triangles = std::make_shared<Triangulation>(options.heights ? gridTriangles(p.blocks.points(), *options.heights)
+                                                                         : triangulate(p.blocks.points(), std::move(stars), pinhole_edges));
+  if (!options.heights)
+    removeUnseenSteps({p.blocks, p.normals, p.radii, static_cast<float>(evenSpacing(1.0, p.neighbours))}, *triangles);
   points_ = made;
   triangulation_ = triangles;
   return Status::success();

@@ -198,6 +198,7 @@ private:
     SurfaceSettings settings;
     settings.trust_normals = settings_.trust_normals;
     settings.view_point = settings_.view_point;
+    settings.heights = settings_.heights;
     settings.flip_normals = settings_.flip_normals;
     settings.part_at = choice_.part_at;
     settings.largest_part = settings_.largest_part;

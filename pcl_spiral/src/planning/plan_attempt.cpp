@@ -113,7 +113,7 @@ choose(const PlanInput& input, const PartChoice& choice, const StripChoice& stri
     if (const Status status = choosePart(scan, choice, {input.settings.tool_radius, leanOf(input.settings)}, strips, plan.part);
         !status.ok())
       return refused(Refusal::Things, status, true);
-    plan.cloud = plan.part.cloud ? plan.part.cloud : plan.whole;
+    plan.cloud = plan.part.cloud ? plan.part.cloud : input.cloud;
     plan.normals = plan.part.cloud ? plan.part.normals : input.normals;
   }
   if (strips.width > 0.0 && plan.part.strips.empty()) // soon: the points are those that were refused

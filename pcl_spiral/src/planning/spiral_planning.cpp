@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/planning/impl/spiral_planning.h>
 
+#include "planning/closed_scan.h"
 #include "planning/joined_plan.h"
 #include "planning/mesh_samples.h"
 #include "planning/plan_attempt.h"
@@ -22,7 +23,7 @@ class RegionTries {
 public:
   /** \p base: a plan with the whole scan. */
   RegionTries(const PlanInput& input, PartChoice choice, const SpiralPlan& base, ProgressCallback progress)
-  : input_(input), choice_(std::move(choice)), base_(base), progress_(std::move(progress))
+  : input_(input), choice_(std::move(choice)), least_margin_(choice_.margin), base_(base), progress_(std::move(progress))
   {}
 
   /** The path. Where the outline lies farther beyond the last points than is usual, the ball enters a keep-out: then it stays farther away
@@ -33,8 +34,8 @@ public:
       const AttemptResult result = leastUncut(plan);
       if (result.refusal != Refusal::KeepOut || run == most_runs) {
         plan.attempts = std::move(attempts_);
-        if (result.status.ok() && choice_.margin > 0.0)
-          plan.report.warnings.push_back(Diagnostic("the ball stays ", choice_.margin,
+        if (result.status.ok() && choice_.margin > least_margin_)
+          plan.report.warnings.push_back(Diagnostic("the ball stays ", choice_.margin - least_margin_,
                                                     " {mm} farther from the keep-outs than it must: nearer, the ",
                                                     "path, which runs a little beyond the last points, would enter one"));
         return result.status;
@@ -92,6 +93,7 @@ private:
 
   const PlanInput& input_;
   PartChoice choice_;
+  double least_margin_; // mm
   const SpiralPlan& base_;
   ProgressCallback progress_;
   std::vector<PlanAttempt> attempts_;
@@ -141,6 +143,36 @@ neverLess(const ProgressCallback& progress)
   };
 }
 
+/** Plans every region of \p input; \p plan has the whole scan, or the samples of the mesh. The paths are made over a surface that is
+ *  raised by \p rounding, mm. */
+Status
+planAll(const PlanInput& input, double rounding, const ProgressCallback& progress, SpiralPlan& plan)
+{
+  const SpiralPlan base = plan;
+  const std::vector<PlanRegion> regions = namedRegions(input.regions);
+  std::vector<SpiralPlan> made;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    made.emplace_back();
+    RegionTries tries(input, choiceOf(input.choice, regions[i]), base, progressOf(progress, i, regions.size()));
+    if (const Status status = tries.run(made.back()); !status.ok()) {
+      plan = SpiralPlan();
+      plan.attempts = std::move(made.back().attempts);
+      return {status.code(), textOfRegion(regions[i].name, status.diagnostic())};
+    }
+    if (rounding > 0.0)
+      moveToScan(rounding, made.back());
+    made.back().region = regions[i].name;
+  }
+  if (made.size() == 1) {
+    plan = std::move(made.front());
+    return Status::success();
+  }
+  const Status status = joinPlans(std::move(made), plan);
+  if (!status.ok())
+    plan = SpiralPlan();
+  return status;
+}
+
 } // namespace
 
 Status
@@ -150,41 +182,28 @@ planSpiral(const PlanInput& input, SpiralPlan& plan)
   if (const Status status = checkSettings(input); !status.ok())
     return status;
   const ProgressCallback progress = neverLess(input.progress);
-  SpiralPlan base;
   std::vector<StageCost> stages;
   StageClock clock(stages);
-  if (input.mesh) {
+  if (input.mesh && !input.ball_closing) {
     if (const Status status = checkMesh(input); !status.ok())
       return status;
-    if (const Status status = sampleMesh(input.mesh, input.sample_spacing, input.settings, progress, base); !status.ok())
+    if (const Status status = sampleMesh(input.mesh, input.sample_spacing, input.settings, progress, plan); !status.ok())
       return status;
     clock.end("samples");
   }
-  else
-    base.whole = base.cloud = input.cloud;
-  const std::vector<PlanRegion> regions = namedRegions(input.regions);
-  std::vector<SpiralPlan> made;
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    made.emplace_back();
-    RegionTries tries(input, choiceOf(input.choice, regions[i]), base, progressOf(progress, i, regions.size()));
-    if (const Status status = tries.run(made.back()); !status.ok()) {
-      plan.attempts = std::move(made.back().attempts);
-      return {status.code(), textOfRegion(regions[i].name, status.diagnostic())};
+  const auto run = [&](const PlanInput& with, double rounding, SpiralPlan& result) {
+    if (!input.mesh) {
+      result = SpiralPlan();
+      result.whole = input.cloud;
+      result.cloud = with.cloud;
     }
-    made.back().region = regions[i].name;
-  }
-  if (made.size() == 1)
-    plan = std::move(made.front());
-  else {
-    plan = base;
-    if (const Status status = joinPlans(std::move(made), plan); !status.ok()) {
-      plan = SpiralPlan();
-      return status;
-    }
-  }
-  for (const StageCost& stage : stages)
-    addStage(stage, plan.report.stages);
-  return Status::success();
+    return planAll(with, rounding, progress, result);
+  };
+  const Status status = input.ball_closing ? planClosed(input, run, plan) : run(input, 0.0, plan);
+  if (status.ok())
+    for (const StageCost& stage : stages)
+      addStage(stage, plan.report.stages);
+  return status;
 }
 
 } // namespace pcl_spiral

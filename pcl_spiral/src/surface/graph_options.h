@@ -9,6 +9,8 @@
 
 namespace pcl_spiral {
 
+constexpr double far_above = 1e9; // mm: all points of a closed surface face its direction
+
 /** Those that \p settings ask for. */
 inline SurfaceGraphOptions
 graphOptions(const SurfaceSettings& settings)
@@ -17,6 +19,9 @@ graphOptions(const SurfaceSettings& settings)
   options.neighbours = settings.neighbours;
   options.max_circumradius = settings.alpha;
   options.view_point = settings.view_point;
+  options.heights = settings.heights;
+  if (settings.heights)
+    options.view_point = settings.heights->along() * far_above;
   options.flip_normals = settings.flip_normals;
   options.trust_normals = settings.trust_normals;
   return options;

@@ -42,8 +42,9 @@ public:
       return status;
     if (const Status status = leaveSpecksOut(); !status.ok())
       return status;
-    if (const Status status = checkClusters(); !status.ok())
-      return status;
+    if (!settings_.heights) // what stands there is of the surface
+      if (const Status status = checkClusters(); !status.ok())
+        return status;
     finish();
     return Status::success();
   }
@@ -57,7 +58,7 @@ private:
     GraphSource source;
     const std::size_t given = points.size();
     CloudCheck check;
-    if (settings_.strict && place_.empty())
+    if (settings_.strict && place_.empty() && !settings_.heights)
       check = [this](const PointBlocks& blocks) { return checkFillsSpace(blocks, settings_); };
     const Status status = buildCleanGraph(std::move(points), options, parts_.graph, source, check);
     parts_.counts.passes += source.passes;

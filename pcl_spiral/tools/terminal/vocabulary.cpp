@@ -32,6 +32,7 @@ constexpr SettingWords settings[] = {
     {"setHolder", "holder"},
     {"setFlankLength", "flank-length"},
     {"setAcceptCollisions", "accept-collisions"},
+    {"setBallClosing", "ball-closing"},
     {"setGougeCheck", "no-gouge-check"},
     {"setLeaveOutStrays", "leave-out-strays"},
     {"MeshSections", "mesh", "pcl_spiral_drive --mesh"},

@@ -118,6 +118,10 @@ surface(Job& job)
        numberOption("sample-spacing", "D",
                     "spacing of the samples of --mesh, mm; default found from its curvature and the step-over: --sample-spacing 0.5",
                     job.sample_spacing),
+       switchOption("ball-closing",
+                    "for a scan from one side with steps, folds and overhangs: plan over what the ball can touch when it comes down along "
+                    "the tool axis: --axis, else towards the view point, else +z; the axis stays the same on the whole path",
+                    job.ball_closing),
        {"outliers", "K,SIGMA", "remove points farther than SIGMA standard deviations from their K neighbours: --outliers 16,3",
         [&job](const std::string& value) { setOutliers(job, value); }}}};
   addSettings(group, settingTable(static_cast<pcl_spiral::SurfaceSettings&>(job.settings)));

@@ -11,7 +11,7 @@
 #include "judging/raw_scan_option.h"
 #include "planning/joined_plan.h"
 #include "planning/plan_regions.h"
-#include <pcl_spiral/collision/impl/way_check.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/planning/spiral_planner.h>
@@ -93,6 +93,7 @@ void
 setHolder(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner)
 {
   planner.setFlankLength(job.flank_length);
+  planner.setBallClosing(job.ball_closing);
   planner.setHolder(job.holder);
   planner.setHolderClearance(job.holder_clearance);
   planner.setAcceptCollisions(job.program.accept_collisions);

@@ -76,6 +76,14 @@ public:
   void setPlanner(const std::shared_ptr<const PathPlanner>& planner) { plan_input_.planner = planner; }
   const std::shared_ptr<const PathPlanner>& getPlanner() const { return plan_input_.planner; } ///< The value of setPlanner.
 
+  /** For a scan from one side with steps, folds and overhangs: the surface that is planned is what the ball can touch when it comes down
+   *  along the tool axis (BallClosing). The axis is that of setFixedAxis, else it points to the view point, else +z, and stays the same on
+   *  the whole path, so that a shank no wider than the ball meets nothing. The path is lifted off every point of the scan that it would
+   *  cut. Material that the ball cannot reach from there stays. Keep-outs, crops and regions work as before; setIndices and
+   *  meshes are refused. Off by default. */
+  void setBallClosing(bool close) { plan_input_.ball_closing = close; }
+  bool getBallClosing() const { return plan_input_.ball_closing; } ///< The value of setBallClosing.
+
   /** The plan has the surface of each region, as for a check of the path; off by default: it is made if planning needs it. */
   void setKeepSurface(bool keep) { plan_input_.keep_surface = keep; }
   bool getKeepSurface() const { return plan_input_.keep_surface; } ///< The value of setKeepSurface.

@@ -59,6 +59,12 @@ public:
   void setFlipNormals(bool flip) { settings_.flip_normals = flip; }
   bool getFlipNormals() const { return settings_.flip_normals; } ///< The value of setFlipNormals.
 
+  /** The points are nodes of this grid, as BallClosing makes them: the grid defines triangles and side, and no point is an outlier. Without
+   *  it, the default, all of that is found from the points. */
+  void setHeightGrid(const HeightGrid& grid) { settings_.heights = grid; }
+  const std::optional<HeightGrid>& getHeightGrid() const { return settings_.heights; } ///< The value of setHeightGrid.
+  void clearHeightGrid() { settings_.heights.reset(); }                                ///< Takes back setHeightGrid.
+
   /** Keep only the part with the largest area if there are several. Without it, the default, all stay, and stages that
    *  need a single part refuse the surface. Clusters are left out in both cases. */
   void setLargestPart(bool alone) { settings_.largest_part = alone; }

@@ -52,6 +52,11 @@ public:
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return surfaceSettings().view_point; } ///< The value of setViewPoint.
   void clearViewPoint() { surfaceSettings().view_point.reset(); }                                     ///< Takes back setViewPoint.
 
+  /** \see ScannedSurface::setHeightGrid */
+  void setHeightGrid(const HeightGrid& grid) { surfaceSettings().heights = grid; }
+  const std::optional<HeightGrid>& getHeightGrid() const { return surfaceSettings().heights; } ///< The value of setHeightGrid.
+  void clearHeightGrid() { surfaceSettings().heights.reset(); }                                ///< Takes back setHeightGrid.
+
   /** Turn all normals to the other side. */
   void setFlipNormals(bool flip) { surfaceSettings().flip_normals = flip; }
   bool getFlipNormals() const { return surfaceSettings().flip_normals; } ///< The value of setFlipNormals.

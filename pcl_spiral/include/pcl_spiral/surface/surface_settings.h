@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/core/height_grid.h>
 #include <pcl_spiral/core/setting.h>
 
 #include <Eigen/Core>
@@ -24,6 +25,7 @@ enum class ClusterHandling {
 /** Settings of ScannedSurface; its setters explain them. Lengths in mm. */
 struct SurfaceSettings {
   std::optional<Eigen::Vector3d> view_point;          ///< normals face it; absent: the sensor of the cloud, else +z as a whole
+  std::optional<HeightGrid> heights;                  ///< the points are nodes of this grid, see BallClosing: nothing is left out
   bool flip_normals = false;                          ///< turn all normals to the other side
   bool largest_part = false;                          ///< keep only the part with the largest area if there are several
   std::optional<Eigen::Vector3d> part_at;             ///< of several parts keep the one nearest to this place

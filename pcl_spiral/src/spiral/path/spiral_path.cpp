@@ -178,7 +178,7 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const CurveFeet* known, cons
     return tight.refusal("path points", &surface);
   for (int round = 0; round < most_halvings && halveStretchedSteps(surface, longest_step, path); ++round)
     ;
-  if (settings.tight == TightHandling::Ride)
+  if (settings.tight == TightHandling::Ride && !surface.settings().heights)
     if (const Status status = rideTightPlaces(surface, reach, settings, longest_step, path); !status.ok())
       return status;
   path.arc_lengths = cutLengths(path);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/core/height_grid.h>
 #include <pcl_spiral/graph/impl/triangulation.h>
 #include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
@@ -22,6 +23,8 @@ struct SurfaceGraphOptions {
   bool flip_normals = false;
   std::vector<Eigen::Vector3f> given_normals; ///< one per point (zero: none), or empty; they face the outer side
   bool trust_normals = true;                  ///< false: given normals without a common side decide nothing
+  /** The points are nodes of this grid, which define triangles and side, see BallClosing. Absent: they are found from the points. */
+  std::optional<HeightGrid> heights;
 };
 
 /** A cloud in spatial order with oriented PCA normals, local spacing and a triangulation of local Delaunay stars.

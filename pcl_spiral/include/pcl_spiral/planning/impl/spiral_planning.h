@@ -32,6 +32,7 @@ struct PlanInput {
   std::vector<ToolSegment> holder;                            ///< none: shank and holder are not looked at
   double holder_clearance = 0.0;                              ///< mm
   bool accept_collisions = false;                             ///< of shank and holder: they are warnings
+  bool ball_closing = false;                                  ///< the scan is closed by the ball along the tool axis
   bool keep_surface = false;                                  ///< the plan has the surface of each region
   ProgressCallback progress;                                  ///< may be empty
 };
