@@ -47,6 +47,13 @@ void
 checkMesh(const Job& job)
 {
   if (!job.mesh) {
+    if (job.ball_closing && (job.verify || !job.raw_scan.empty() || !job.reach.empty()))
+      throw UsageError(
+          std::string(job.verify              ? "--verify"
+                      : !job.raw_scan.empty() ? "--raw-scan"
+                                              : "--reach") +
+          ": with --ball-closing the path runs over a closed scan, and is checked against every point of the scan as it was; leave "
+          "this option out");
     if (job.given.count("sample-spacing") > 0)
       throw UsageError("--sample-spacing: a scan has its own points; add --mesh to use the faces of the file, or leave it out");
     return;
