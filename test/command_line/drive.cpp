@@ -472,7 +472,6 @@ TEST(Drive, AScallopThatACutterCannotKeepIsRefusedWithTheFigure)
     return at == std::string::npos ? 0.0 : std::strtod(refused.err.c_str() + at + words.size(), nullptr);
   };
   EXPECT_NEAR(numberAfter("up to "), 8.0 * 8.0 / 200.0, 0.05) << refused.err;
-  EXPECT_EQ(drive({"--scallop", std::to_string(numberAfter("ask for --scallop "))}).code, 0);
   EXPECT_EQ(drive({"--step-over", std::to_string(numberAfter("give --step-over "))}).code, 0);
   EXPECT_EQ(run(folder, {"hollow.xyz", "--tool-radius", "2", "--scallop", "0.02", "-o", "a.csv"}).code, 0) << "smaller cutter";
 }

@@ -79,8 +79,6 @@ TEST_F(MeshDrive, CornersLeaveWhatTheMessageSaysAndItsRemediesWork)
     return at == std::string::npos ? 0.0 : std::strtod(refused.err.c_str() + at + words.size(), nullptr);
   };
   EXPECT_NEAR(numberAfter("up to "), (std::sqrt(2.0) - 1.0) * radius, 0.05) << refused.err;
-  EXPECT_LT(numberAfter("ask for --scallop "), radius);
-  EXPECT_EQ(run({"--tool-radius", "1", "--scallop", std::to_string(numberAfter("ask for --scallop "))}).code, 0);
   EXPECT_EQ(run({"--tool-radius", "1", "--step-over", std::to_string(numberAfter("give --step-over "))}).code, 0);
   // Contacts at walls and edges have the normals of the ball, and the judge agrees.
   for (const auto& p : pcl_spiral::readToolpath(folder_.path("a.csv")).path)

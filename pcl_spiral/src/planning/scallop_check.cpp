@@ -119,16 +119,14 @@ leftOver(const std::vector<CutPlace>& places, const DrivePlanInput& input, const
   return left;
 }
 
+/** A larger height is no remedy: where the step-over follows from it, the passes leave more again. */
 Diagnostic
-remedyOf(const DrivePlanInput& input, const PassPlan& plan, double height)
+remedyOf(const DrivePlanInput& input, const PassPlan& plan)
 {
   const bool can_keep = input.drive.kind == DriveKind::Planes && input.drive.rows == DriveRows::Even && !input.mesh &&
                         input.drive.axisMode() != DriveAxisMode::Cylinder;
-  const Diagnostic higher = more_left * height < input.tool.cutter.radius // else refused
-                                ? Diagnostic(", ask for {setScallop} ", more_left * height, " at {setStepOver} ", plan.drive.step_over,
-                                             ", or give this step-over alone")
-                                : Diagnostic(", or give {setStepOver} ", plan.drive.step_over, " instead");
-  return Diagnostic(can_keep ? "use {setRows} kept" : "take a cutter with a smaller radius", higher, ", which promises no height");
+  return Diagnostic(can_keep ? "use {setRows} kept" : "take a cutter with a smaller radius", ", or give {setStepOver} ",
+                    plan.drive.step_over, " instead of {setScallop}, which promises no height");
 }
 
 /** Whether rows are even or kept over all of a scan, and nothing else says what they leave out. */
@@ -184,7 +182,7 @@ checkScallop(const DrivePlanInput& input, PassPlan& plan)
   const Diagnostic said("the passes leave more than the {setScallop} of ", scallop, " {mm} on ", 100.0 * share, " % of the surface, up to ",
                         left[worst], " {mm} at ", Place(places[worst].x));
   if (share > ignored_share)
-    return {StatusCode::Failed, Diagnostic(said, ": ", remedyOf(input, plan, left[worst]), uncut.empty() ? uncut : "; " + uncut)};
+    return {StatusCode::Failed, Diagnostic(said, ": ", remedyOf(input, plan), uncut.empty() ? uncut : "; " + uncut)};
   plan.warnings.push_back(Diagnostic(said, ": check this place"));
   return Status::success();
 }

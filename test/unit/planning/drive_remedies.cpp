@@ -182,13 +182,11 @@ TEST(DriveRemedies, Input)
 TEST(DriveRemedies, Scallop)
 {
   const auto groove = [] { return valley(0.9, 3.5, 9.0, 9.0).scan(0.5, 0.0, 11); };
+  const auto instead = [](Drive& d, const Diagnostic& said) { d.setScallop(3.0, 0.0), d.setStepOver(said.numbers().at(3)); };
   expectNoFaults({
       over(groove, "the passes leave more than the {setScallop}",
            [](Drive& d) { d.setStepOver(0.0), d.setScallop(3.0, 0.02), d.setPlaneDirection(90.0); },
-           {{"setRows", [](Drive& d) { d.setRows(DriveRows::Kept); }},
-            {"setScallop",
-             [](Drive& d, const Diagnostic& said) { d.setScallop(3.0, said.numbers().at(3)), d.setStepOver(said.numbers().at(4)); }},
-            {"setStepOver", [](Drive& d) { d.setScallop(3.0, 0.0), d.setStepOver(0.6); }}}),
+           {{"setRows", [](Drive& d) { d.setRows(DriveRows::Kept); }}, {"setStepOver", instead}, {"setScallop", instead}}),
   });
 }
 
