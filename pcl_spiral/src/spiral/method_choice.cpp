@@ -122,14 +122,21 @@ unevenness(const SurfaceGraph& graph, const MlsSurface& surface, const BoundaryL
   return sum > 0.0 ? std::optional<double>(largest * static_cast<double>(heights.size()) / sum) : std::nullopt;
 }
 
-/** Why turns at equal shares of radial lines are not suitable; empty if they are. */
+/** Why turns at equal shares of radial lines are impossible; empty if nothing is known against them. */
 Diagnostic
-whyNotRadial(const BoundaryLoop& rim, const std::vector<const BoundaryLoop*>& holes, const SpiralSettings& settings)
+whyNoRadial(const std::vector<const BoundaryLoop*>& holes, const SpiralSettings& settings)
 {
   if (!holes.empty() && settings.hole_margin > 0.0)
     return "a radial path about a hole begins at the hole, but a hole margin is set";
   if (holes.size() > 1)
     return Diagnostic("the surface has ", holes.size(), " holes");
+  return {};
+}
+
+/** Why such turns lie unevenly; empty if they do not. */
+Diagnostic
+cornerText(const BoundaryLoop& rim, const std::vector<const BoundaryLoop*>& holes)
+{
   if (!rim.corners.empty())
     return Diagnostic("the rim has a corner at ", Place(rim.curve[rim.corners.front()]));
   if (!holes.empty() && !holes.front()->corners.empty())
@@ -178,12 +185,17 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
   const double across = (areaOf(graph) + beside_points * graph.spacing() * rims) / step_over, feed = settings.feed / 60.0;
   const double turns = 2.0 * across / rims;
   foresight.scallop_length = across + scallop_rims * rims;
-  foresight.why_not_radial = whyNotRadial(*rim, holes, settings);
+  foresight.why_not_radial = whyNoRadial(holes, settings);
+  foresight.radial_fails = !foresight.why_not_radial.empty();
+  if (!foresight.radial_fails)
+    foresight.why_not_radial = cornerText(*rim, holes);
   std::optional<double> uneven;
   if (foresight.why_not_radial.empty())
     uneven = unevenness(graph, fit, *rim, holes.empty() ? nullptr : holes.front());
-  if (!uneven && foresight.why_not_radial.empty())
+  if (!uneven && foresight.why_not_radial.empty()) {
     foresight.why_not_radial = "no radial lines lead from a centre to the rim";
+    foresight.radial_fails = true;
+  }
   const double ridge_turns = uneven.value_or(2.0) > 1.02 ? 2.0 * turns : 0.0;
   foresight.scallop_time = machineTime(foresight.scallop_length, ridge_turns, turn_radius * step_over, feed, settings.acceleration);
   if (uneven)

@@ -81,6 +81,9 @@ TEST(ScanRemedies, HolesAndGaps)
       spiralOver([] { return withHole(6.0, 7.5); }, "the surface between two outlines is only",
                  [](Spiral& s) { s.setHoleSize(5.0), s.setMethod(SpiralMethod::ConstantScallop); },
                  {{"addKeepOut", keepOutOf(1)}, {"setMethod", method(SpiralMethod::Radial)}}),
+      spiralOver([] { return plateWithout([](double x, double y) { return std::hypot(x - 7.8, y) < 6.0; }); }, // a rim with corners
+                 "the surface between two outlines is only", [](Spiral& s) { s.setHoleSize(5.0); },
+                 {{"setMethod", method(SpiralMethod::Radial)}}),
       spiralOver(arch, "the surface has a handle", [](Spiral& s) { s.setToolRadius(1.5), s.setMethod(SpiralMethod::ConstantScallop); },
                  {{"addKeepOut", keepOut(box(-9.0, 9.0, -3.0, 3.0))}, {"setCrop", crop(box(-15.0, 15.0, 6.0, 15.0))}}),
   });

@@ -23,6 +23,7 @@ struct MethodForesight {
   double scallop_length = 0.0, scallop_time = 0.0;
   SpiralMethod method = SpiralMethod::ConstantScallop; ///< the better one
   Diagnostic why_not_radial;                           ///< if it is not suitable
+  bool radial_fails = false;                           ///< it is not suitable, and makes no path at all
 };
 
 /** Predict both methods on \p surface between \p loops (Outer, and Inner for holes).

@@ -133,7 +133,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeShortest(Surface::Con
   if (scallop.code() != StatusCode::Failed)
     return scallop;
   if (!foresight.why_not_radial.empty())
-    return neitherMethod(scallop, {StatusCode::Failed, foresight.why_not_radial});
+    return foresight.radial_fails ? neitherMethod(scallop, {StatusCode::Failed, foresight.why_not_radial}) : scallop;
   attempt = first;
   attempt.warnings.push_back(
       Diagnostic("the radial method made the path, though a shorter one was foreseen at constant scallop height: ", scallop.diagnostic()));
