@@ -144,6 +144,30 @@ protected:
 
 } // namespace
 
+TEST_F(SameInCpp, BallClosing)
+{
+  expectSame({"--crop", "-105,-45,-30,30", "--axis", "0,0,1", "--ball-closing"}, [](Planner& planner) {
+    constexpr double all = 1e6;
+    planner.setCropBox({Vector3d(-105, -30, -all), Vector3d(-45, 30, all)});
+    planner.setFixedAxis(Vector3d::UnitZ());
+    planner.setBallClosing(true);
+  });
+  expectSame(
+      {"--keep-out", "keep.txt", "--ball-closing"},
+      [this](Planner& planner) {
+        planner.addKeepOut(readPolygon(folder_.path("keep.txt")));
+        planner.setBallClosing(true);
+      },
+      true);
+  for (const char* option : {"--verify", "--mesh"}) {
+    const RunResult refused = run(PCL_SPIRAL_TOOLPATH_PROGRAM,
+                                  {"scan.xyz", "-o", "none.csv", "--tool-radius", "4", "--scallop", "0.05", "--ball-closing", option});
+    EXPECT_EQ(refused.code, 2) << option;
+    EXPECT_NE(refused.err.find(option), std::string::npos) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("none.csv")));
+  }
+}
+
 TEST_F(SameInCpp, PartAndKeepOut)
 {
   expectSame({"--part-at", "-75,0,4", "--keep-out", "keep.txt"}, [this](Planner& planner) {

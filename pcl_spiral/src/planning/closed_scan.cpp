@@ -30,28 +30,14 @@ refuseUnfit(const PlanInput& input)
   if (input.indices)
     return {StatusCode::InvalidArgument, "{setIndices} were given, and {setBallClosing} needs the whole scan: choose the part by a crop "
                                          "({setCrop}) or a region ({addRegion})"};
+  if (!input.choice.keep_outs.empty())
+    return {StatusCode::InvalidArgument,
+            "a keep-out ({addKeepOut}) does not go with {setBallClosing}, which rides over all that was scanned: leave "
+            "the keep-out out, or cut what lies beside it by a crop ({setCrop})"};
   if (input.settings.flip_normals)
     return {StatusCode::InvalidArgument, "{setFlipNormals} turns the side, which {setBallClosing} takes from the tool axis: set the axis "
                                          "({setFixedAxis}), and leave the turn out"};
   return Status::success();
-}
-
-/** Ok, or Failed: the ball of the finished path of \p plan cuts into \p input. */
-Status
-checkTool(const PlanInput& input, const SpiralPlan& plan)
-{
-  const SpiralSettings& s = input.settings;
-  const double allowed = gougeTolerance(s.chord_error, plan.report.noise);
-  for (const Prism& keep_out : input.choice.keep_outs)
-    for (const ToolpathPoint& p : *plan.path) {
-      const Eigen::Vector3d normal = p.getNormalVector3fMap().cast<double>(), contact = p.getVector3fMap().cast<double>();
-      if (keep_out.distance(contact + s.tool_radius * normal) < s.tool_radius - allowed)
-        return {StatusCode::Failed, Diagnostic("the ball would enter a keep-out at ", Place(contact),
-                                               ": enlarge the polygon there by the rounding of the closed "
-                                               "surface, ",
-                                               plan.settings.tool_radius, " {mm} at most ({addKeepOut})")};
-    }
-  return checkClear(*plan.path, s.tool_radius, allowed, *input.cloud);
 }
 
 } // namespace
@@ -85,7 +71,6 @@ closeScan(const PlanInput& given, const ClosingTry& how, ClosedScan& closed)
                    "({setToolRadius})"));
   closed.input.cloud = points;
   closed.input.normals.reset();
-  closed.input.choice.margin += closed.rounding;
   s.heights = closing.getHeightGrid();
   s.view_point.reset();
   s.fixed_axis = s.heights->along();
@@ -136,7 +121,8 @@ planClosed(const PlanInput& given, const std::function<Status(const PlanInput&, 
     Status status = run(closed.input, closed.rounding, plan);
     clock.restart();
     if (status.ok())
-      status = checkTool(given, plan);
+      status =
+          checkClear(*plan.path, given.settings.tool_radius, gougeTolerance(given.settings.chord_error, plan.report.noise), *given.cloud);
     clock.end("clearance");
     if (status.ok()) {
       plan.attempts.insert(plan.attempts.begin(), failed.begin(), failed.end());

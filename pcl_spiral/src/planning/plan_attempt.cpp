@@ -96,7 +96,8 @@ surroundingsOf(const SpiralPlan& plan)
   Surroundings around;
   around.keep_outs = plan.part.keep_outs;
   around.kept_out = plan.part.kept_out;
-  around.beside = plan.part.beside;
+  if (!plan.settings.heights) // a closed scan is free of itself, and the path is kept clear of every point
+    around.beside = plan.part.beside;
   around.scan = plan.whole;
   around.of_mesh = plan.mesh.has_value();
   return around;
@@ -148,7 +149,7 @@ generate(const PlanInput& input, const ProgressCallback& progress, SpiralPlan& p
     generator.setInputSurface(plan.surface);
   else
     generator.setInputNormals(plan.normals);
-  if (!plan.mesh && !plan.part.beside.empty())
+  if (!plan.mesh && !plan.settings.heights && !plan.part.beside.empty())
     generator.setSurfaceBeyond(surfaceBeyond(*plan.surface, plan.part.beside, plan.settings.tool_radius));
   generator.setPlanner(input.planner);
   for (const std::shared_ptr<const PathModifier>& modifier : input.modifiers)

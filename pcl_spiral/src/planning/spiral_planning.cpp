@@ -23,7 +23,7 @@ class RegionTries {
 public:
   /** \p base: a plan with the whole scan. */
   RegionTries(const PlanInput& input, PartChoice choice, const SpiralPlan& base, ProgressCallback progress)
-  : input_(input), choice_(std::move(choice)), least_margin_(choice_.margin), base_(base), progress_(std::move(progress))
+  : input_(input), choice_(std::move(choice)), base_(base), progress_(std::move(progress))
   {}
 
   /** The path. Where the outline lies farther beyond the last points than is usual, the ball enters a keep-out: then it stays farther away
@@ -34,8 +34,8 @@ public:
       const AttemptResult result = leastUncut(plan);
       if (result.refusal != Refusal::KeepOut || run == most_runs) {
         plan.attempts = std::move(attempts_);
-        if (result.status.ok() && choice_.margin > least_margin_)
-          plan.report.warnings.push_back(Diagnostic("the ball stays ", choice_.margin - least_margin_,
+        if (result.status.ok() && choice_.margin > 0.0)
+          plan.report.warnings.push_back(Diagnostic("the ball stays ", choice_.margin,
                                                     " {mm} farther from the keep-outs than it must: nearer, the ",
                                                     "path, which runs a little beyond the last points, would enter one"));
         return result.status;
@@ -93,7 +93,6 @@ private:
 
   const PlanInput& input_;
   PartChoice choice_;
-  double least_margin_; // mm
   const SpiralPlan& base_;
   ProgressCallback progress_;
   std::vector<PlanAttempt> attempts_;

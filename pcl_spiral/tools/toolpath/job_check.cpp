@@ -48,12 +48,11 @@ checkMesh(const Job& job)
 {
   if (!job.mesh) {
     if (job.ball_closing && (job.verify || !job.raw_scan.empty() || !job.reach.empty()))
-      throw UsageError(
-          std::string(job.verify              ? "--verify"
-                      : !job.raw_scan.empty() ? "--raw-scan"
-                                              : "--reach") +
-          ": with --ball-closing the path runs over a closed scan, and is checked against every point of the scan as it was; leave "
-          "this option out");
+      throw UsageError(pcl_spiral::Diagnostic(
+          job.verify              ? "--verify"
+          : !job.raw_scan.empty() ? "--raw-scan"
+                                  : "--reach",
+          ": with --ball-closing the path runs over a closed scan, and is checked against every point of the scan; leave this option out"));
     if (job.given.count("sample-spacing") > 0)
       throw UsageError("--sample-spacing: a scan has its own points; add --mesh to use the faces of the file, or leave it out");
     return;
@@ -63,7 +62,8 @@ checkMesh(const Job& job)
       !extension.empty() && std::find(known.begin(), known.end(), extension) == known.end())
     throw UsageError(pcl_spiral::Diagnostic(job.scan, ": --mesh reads .stl .obj and .ply, and '", extension,
                                             "' holds no faces; for points leave --mesh out"));
-  for (const char* option : {"columns", "skip-lines", "raw-scan", "view-point", "thin", "outliers", "crop", "region", "keep-out"})
+  for (const char* option :
+       {"columns", "skip-lines", "raw-scan", "view-point", "ball-closing", "thin", "outliers", "crop", "region", "keep-out"})
     if (job.given.count(option) > 0)
       throw UsageError(
           pcl_spiral::Diagnostic("--", option, " belongs to scans, and --mesh is given: ",
