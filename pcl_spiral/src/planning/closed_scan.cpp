@@ -125,6 +125,9 @@ planClosed(const PlanInput& given, const std::function<Status(const PlanInput&, 
           checkClear(*plan.path, given.settings.tool_radius, gougeTolerance(given.settings.chord_error, plan.report.noise), *given.cloud);
     clock.end("clearance");
     if (status.ok()) {
+      plan.cloud = given.cloud; // what pictures show below the path: the closed scan is raised
+      for (SpiralPlan& region : plan.regions)
+        region.cloud = given.cloud;
       plan.attempts.insert(plan.attempts.begin(), failed.begin(), failed.end());
       plan.report.warnings.insert(plan.report.warnings.end(), closed.warnings.begin(), closed.warnings.end());
       plan.report.stages.insert(plan.report.stages.begin(), stages.begin(), stages.end());

@@ -80,7 +80,8 @@ public:
    *  along the tool axis (BallClosing). The axis is that of setFixedAxis, else it points to the view point, else +z, and stays the same on
    *  the whole path, so that a shank no wider than the ball meets nothing. The path is lifted off every point of the scan that it would
    *  cut. Material that the ball cannot reach from there stays. Crops and regions work as before; keep-outs, setIndices and meshes are
-   *  refused. SpiralPlan::cloud and surface are those of the closed scan, raised by a part of the radius. Off by default. */
+   *  refused. SpiralPlan::surface is that of the closed scan, raised by a part of the radius; SpiralPlan::cloud is the scan. Off by
+   *  default. */
   void setBallClosing(bool close) { plan_input_.ball_closing = close; }
   bool getBallClosing() const { return plan_input_.ball_closing; } ///< The value of setBallClosing.
 
