@@ -22,6 +22,7 @@ namespace {
 
 constexpr double cell_spacings = 0.4;   // nodes between the points, so that what the closing makes of one point is seen
 constexpr double cells_per_radius = 25; // no more are needed: the ball bends by a 5000th of its radius in a cell
+constexpr double most_nodes = 1e8;      // 2.8 GB at 28 bytes a node
 constexpr int few = 8;                  // neighbours that tell the spacing
 
 /** Median distance of neighbouring points, as if they were spread evenly. */
@@ -89,12 +90,22 @@ closeByBall(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& a
             Diagnostic("the tool radius ", radius, " {mm} is not larger than the point spacing, ", view.spacing,
                        " {mm}: a ball would fall between the points; take a larger ball ({setToolRadius}), or {scan more densely}")};
   view.grid.cell = std::max(cell_spacings * view.spacing, radius / cells_per_radius);
+  view.grid.reached_by = radius - rounding;
   Eigen::Vector3d e1, e2;
   tangentFrame(along, e1, e2);
   view.grid.axes << e1, e2, along;
   view.grid.origin = middleOf(points);
   std::vector<Eigen::Vector3d> inside(points.size());
   forPoints(points.size(), [&](std::uint32_t i) { inside[i] = view.grid.inside(points[i].cast<double>()); });
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : inside)
+    box.extend(p);
+  const Eigen::Array2d nodes = (box.sizes().head<2>().array() + 4.0 * radius) / view.grid.cell;
+  if (nodes.prod() > most_nodes)
+    return {StatusCode::InvalidInput,
+            Diagnostic("the points of the {scan} lie ", box.sizes().x(), " by ", box.sizes().y(), " {mm} apart across the tool axis, ",
+                       view.spacing, " {mm} from one to the next: such a grid would have ", nodes.prod(), " nodes, and at most ",
+                       most_nodes, " are possible; leave points far away out of the file, or take a larger ball ({setToolRadius})")};
   view.ball = std::make_shared<const DropBall>(std::move(inside), radius);
   ClosingGrid grid(*view.ball, view.grid.cell);
   const std::vector<std::uint32_t> sheets = closedSheets(grid, radius);

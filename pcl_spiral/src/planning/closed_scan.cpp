@@ -5,6 +5,8 @@
 #include <pcl_spiral/cleaning/ball_closing.h>
 #include <pcl_spiral/common/impl/stage_clock.h>
 #include <pcl_spiral/core/impl/tolerances.h>
+#include <pcl_spiral/search/impl/point_selection.h>
+#include <pcl_spiral/search/impl/usable_points.h>
 
 #include <algorithm>
 #include <array>
@@ -34,9 +36,32 @@ refuseUnfit(const PlanInput& input)
     return {StatusCode::InvalidArgument,
             "a keep-out ({addKeepOut}) does not go with {setBallClosing}, which rides over all that was scanned: leave "
             "the keep-out out, or cut what lies beside it by a crop ({setCrop})"};
+  if (input.settings.thinning > 0.0)
+    return {StatusCode::InvalidArgument,
+            "thinning ({setThinning}) drops points that the ball must not touch, and {setBallClosing} makes an "
+            "even surface itself: leave the thinning out"};
   if (input.settings.flip_normals)
     return {StatusCode::InvalidArgument, "{setFlipNormals} turns the side, which {setBallClosing} takes from the tool axis: set the axis "
                                          "({setFixedAxis}), and leave the turn out"};
+  return Status::success();
+}
+
+/** The scan of \p input without the points that the outlier filter takes for false echoes: the ball goes through these. */
+Status
+leaveEchoesOut(PlanInput& input)
+{
+  SpiralSettings& s = input.settings;
+  if (s.outlier_neighbours <= 0 || !input.cloud)
+    return Status::success();
+  if (const Diagnostic fault = rangeFault(static_cast<SurfaceSettings&>(s)); !fault.empty())
+    return {StatusCode::InvalidArgument, fault};
+  const UsablePoints usable = usablePoints(*input.cloud, nullptr);
+  const auto kept = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  kept->sensor_origin_ = input.cloud->sensor_origin_;
+  for (const std::uint32_t i : statisticalInliers(usable.positions, s.outlier_neighbours, s.outlier_deviations))
+    kept->push_back({usable.positions[i].x(), usable.positions[i].y(), usable.positions[i].z()});
+  input.cloud = kept;
+  s.outlier_neighbours = 0;
   return Status::success();
 }
 
@@ -105,9 +130,12 @@ moveToScan(double rounding, SpiralPlan& plan)
 }
 
 Status
-planClosed(const PlanInput& given, const std::function<Status(const PlanInput&, double, SpiralPlan&)>& run, SpiralPlan& plan)
+planClosed(const PlanInput& whole, const std::function<Status(const PlanInput&, double, SpiralPlan&)>& run, SpiralPlan& plan)
 {
-  if (const Status status = refuseUnfit(given); !status.ok())
+  if (const Status status = refuseUnfit(whole); !status.ok())
+    return status;
+  PlanInput given = whole;
+  if (const Status status = leaveEchoesOut(given); !status.ok())
     return status;
   Status first = Status::success();
   std::vector<PlanAttempt> failed;
@@ -129,6 +157,9 @@ planClosed(const PlanInput& given, const std::function<Status(const PlanInput&, 
       for (SpiralPlan& region : plan.regions)
         region.cloud = given.cloud;
       plan.attempts.insert(plan.attempts.begin(), failed.begin(), failed.end());
+      if (how.turned)
+        closed.warnings.push_back("the path runs in the other sense than asked for ({setSense}): in that one no path was found over the "
+                                  "closed scan ({setBallClosing})");
       plan.report.warnings.insert(plan.report.warnings.end(), closed.warnings.begin(), closed.warnings.end());
       plan.report.stages.insert(plan.report.stages.begin(), stages.begin(), stages.end());
       return status;

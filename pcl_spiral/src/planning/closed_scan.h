@@ -30,8 +30,8 @@ Status closeScan(const PlanInput& given, const ClosingTry& how, ClosedScan& clos
 /** Moves the contacts of \p plan, made over a closed scan raised by \p rounding, mm, to where the tool itself touches. */
 void moveToScan(double rounding, SpiralPlan& plan);
 
-/** Plans over the scan of \p given, closed, by \p run, which plans every region of an input and moves it by a rounding, until a try gives a
+/** Plans over the scan of \p whole, closed, by \p run, which plans every region of an input and moves it by a rounding, until a try gives a
  *  path that is clear of the scan. SpiralPlan::attempts has those that did not. */
-Status planClosed(const PlanInput& given, const std::function<Status(const PlanInput&, double, SpiralPlan&)>& run, SpiralPlan& plan);
+Status planClosed(const PlanInput& whole, const std::function<Status(const PlanInput&, double, SpiralPlan&)>& run, SpiralPlan& plan);
 
 } // namespace pcl_spiral

@@ -267,6 +267,9 @@ TEST(BallClosing, RefusesBadInput)
   says(closing, flat, std::numeric_limits<double>::quiet_NaN(), "above 0 mm");
   says(closing, flat, 0.3, "not larger than the point spacing");
   says(closing, flat, 40.0, "as wide as itself");
+  const auto far = pcl::make_shared<Cloud>(*flat);
+  far->push_back({1e7f, 1e7f, 0.0f});
+  says(closing, far, radius, "are possible");
   closing.setDirection(Vector3d::Zero());
   says(closing, flat, radius, "direction of the tool");
 }

@@ -94,6 +94,33 @@ TEST(BallClosingPlans, AreClearOfEveryPoint)
   }
 }
 
+TEST(BallClosingPlans, FalseEchoesThatAreFilteredDoNotLift)
+{
+  const Cloud::Ptr scan = view(test::FoldedPart::Hand, 2), dirty = pcl::make_shared<Cloud>(*scan);
+  const Eigen::Vector3f echo(0.0f, -20.0f, 60.0f); // 45 mm over the back of the hand
+  dirty->points[0].getVector3fMap() = echo;
+  const auto highest = [&](int neighbours) {
+    Planner planner;
+    prepare(dirty, planner);
+    planner.setScallopHeight(0.4);
+    if (neighbours > 0)
+      planner.setOutlierRemoval(neighbours, 3.0);
+    pcl::PointCloud<ToolpathPoint> path;
+    planner.compute(path);
+    EXPECT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    double high = 0.0, nearest = 1e9;
+    for (const ToolpathPoint& p : path) {
+      high = std::max(high, static_cast<double>(p.z));
+      nearest = std::min<double>(nearest, (p.getVector3fMap() + static_cast<float>(radius) * p.getNormalVector3fMap() - echo).norm());
+    }
+    if (neighbours == 0)
+      EXPECT_GT(nearest, radius - 0.3);
+    return high;
+  };
+  EXPECT_LT(highest(16), 40.0);
+  EXPECT_GT(highest(0), 45.0); // it rides over the echo
+}
+
 TEST(BallClosingPlans, TheAxisIsTheDirection)
 {
   const Cloud::Ptr scan = view(test::FoldedPart::Hand, 2);
@@ -119,7 +146,10 @@ TEST(BallClosingPlans, RefuseWhatDoesNotFit)
     EXPECT_NE(planner.getStatus().message().find(words), std::string::npos) << planner.getStatus().message();
   };
   const Cloud::Ptr scan = view(test::FoldedPart::Hand, 2);
-  Planner flipped, some, coarse;
+  Planner flipped, some, coarse, thinned;
+  prepare(scan, thinned);
+  thinned.setThinning(1.0);
+  says(thinned, "setThinning");
   prepare(scan, flipped);
   flipped.setFlipNormals(true);
   says(flipped, "setFlipNormals");

@@ -178,7 +178,8 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const CurveFeet* known, cons
     return tight.refusal("path points", &surface);
   for (int round = 0; round < most_halvings && halveStretchedSteps(surface, longest_step, path); ++round)
     ;
-  if (settings.tight == TightHandling::Ride && !surface.settings().heights)
+  const std::optional<HeightGrid>& heights = surface.settings().heights;
+  if (settings.tight == TightHandling::Ride && !(heights && heights->isReachedBy(settings.tool_radius)))
     if (const Status status = rideTightPlaces(surface, reach, settings, longest_step, path); !status.ok())
       return status;
   path.arc_lengths = cutLengths(path);

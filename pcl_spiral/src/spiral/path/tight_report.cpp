@@ -152,7 +152,8 @@ checkRidden(const Surface& surface, const SpiralSettings& settings)
 std::unique_ptr<BallReach>
 makeReach(const Surface& surface, const SpiralSettings& settings, const std::vector<SurfacePatch>& beyond)
 {
-  if (settings.tight == TightHandling::Refuse || surface.settings().heights) // a ball has closed it, and reaches all of it
+  const std::optional<HeightGrid>& heights = surface.settings().heights;
+  if (settings.tight == TightHandling::Refuse || (heights && heights->isReachedBy(settings.tool_radius)))
     return nullptr;
   auto reach = std::make_unique<BallReach>(
       surface.graph(), surface.fit(), settings.tool_radius, reachTolerance(surface.fit(), reach_share * settings.chord_error),
