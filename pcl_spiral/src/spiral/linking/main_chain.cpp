@@ -19,6 +19,8 @@ constexpr double largest_share = 0.3; // of a loop
 constexpr double largest_turn = 32.0; // degrees a strip may turn within 0.8 step-overs
 constexpr double turn_reach = 0.4;
 constexpr double farthest_step = 1.35; // to the next loop
+/** The same where no chain is found: through a hollow as tight as the ball, loops lie farther apart than the metric beside it says. */
+constexpr double step_through_hollow = 2.7;
 constexpr std::size_t most_candidates = 90;
 constexpr std::size_t ramp_points = 60;
 constexpr int ramp_probes = 24;
@@ -56,8 +58,8 @@ class ChainFinder {
 public:
   /** \p joined: null, or marks of loops; a chain ends before a marked loop. */
   ChainFinder(const CutLoops& loops, const LoopFinder& finder, const std::optional<Eigen::Vector3d>& start,
-              const std::vector<std::uint8_t>* joined = nullptr)
-  : loops_(loops), finder_(finder), start_(start), joined_(joined), bends_(loops.size())
+              const std::vector<std::uint8_t>* joined = nullptr, double farthest = farthest_step)
+  : loops_(loops), finder_(finder), start_(start), joined_(joined), farthest_(farthest), bends_(loops.size())
   {}
 
   std::vector<RampStrip> best(std::size_t innermost, std::size_t outer_rim)
@@ -161,13 +163,13 @@ private:
     for (int level = loops_.loop(start.loop).level - 1; level >= 0; --level) {
       const RampStrip& strip = chain.back();
       const ScallopLoop& loop = loops_.loop(strip.loop);
-      const LoopPlace left = finder_.nearest(level, loop.at(strip.u), loop.metricAt(strip.u), farthest_step);
+      const LoopPlace left = finder_.nearest(level, loop.at(strip.u), loop.metricAt(strip.u), farthest_);
       if (joined_ && (left.loop == LoopPlace::none || isJoined(left.loop)))
         break;
       if (left.loop == LoopPlace::none)
         return {};
       const double from = strip.u - strip.length;
-      const LoopPlace right = finder_.nearest(level, loop.at(from), loop.metricAt(from), 2.0 * farthest_step);
+      const LoopPlace right = finder_.nearest(level, loop.at(from), loop.metricAt(from), 2.0 * farthest_);
       const ScallopLoop& next = loops_.loop(left.loop);
       double wide = right.loop == left.loop ? next.wrapped(left.u - right.u) : 0.0;
       if (wide > 0.6 * next.length())
@@ -242,6 +244,7 @@ private:
   const LoopFinder& finder_;
   std::optional<Eigen::Vector3d> start_;
   const std::vector<std::uint8_t>* joined_;
+  double farthest_; ///< step-overs to the next loop
   std::vector<std::vector<double>> bends_;
   std::vector<std::size_t> loops_at_; ///< of each level
 };
@@ -259,7 +262,10 @@ std::vector<RampStrip>
 findMainChain(const CutLoops& loops, const LoopFinder& finder, std::size_t innermost, std::size_t outer_rim,
               const std::optional<Eigen::Vector3d>& start)
 {
-  return ChainFinder(loops, finder, start).best(innermost, outer_rim);
+  std::vector<RampStrip> chain = ChainFinder(loops, finder, start).best(innermost, outer_rim);
+  if (chain.empty())
+    chain = ChainFinder(loops, finder, start, nullptr, step_through_hollow).best(innermost, outer_rim);
+  return chain;
 }
 
 std::vector<RampStrip>
