@@ -62,8 +62,41 @@ countCovered(const DropBall& ball, const ClosingGrid& grid)
 {
   return static_cast<std::size_t>(sumOverPoints(ball.points().size(), 0.0, [&](std::uint32_t i, double& covered) {
     const Eigen::Vector3d& p = ball.points()[i];
-    covered += grid.between(p.x(), p.y()) > p.z() + grid.cell() ? 1.0 : 0.0;
+    covered += grid.lowestAbout(p.x(), p.y()) > p.z() + grid.cell() ? 1.0 : 0.0;
   }));
+}
+
+void
+setFrame(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& along, HeightGrid& grid)
+{
+  Eigen::Vector3d e1, e2;
+  tangentFrame(along, e1, e2);
+  grid.axes << e1, e2, along;
+  grid.origin = middleOf(points);
+}
+
+std::vector<Eigen::Vector3d>
+insideOf(const HeightGrid& grid, const std::vector<Eigen::Vector3f>& points)
+{
+  std::vector<Eigen::Vector3d> inside(points.size());
+  forPoints(points.size(), [&](std::uint32_t i) { inside[i] = grid.inside(points[i].cast<double>()); });
+  return inside;
+}
+
+/** Refuses points, in the frame of the grid, so far apart that it would have too many nodes. */
+Status
+checkSize(const std::vector<Eigen::Vector3d>& inside, double radius, const ClosedView& view)
+{
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : inside)
+    box.extend(p);
+  const Eigen::Array2d nodes = (box.sizes().head<2>().array() + 4.0 * radius) / view.grid.cell;
+  if (nodes.prod() <= most_nodes)
+    return Status::success();
+  return {StatusCode::InvalidInput,
+          Diagnostic("the points of the {scan} lie ", box.sizes().x(), " by ", box.sizes().y(), " {mm} apart across the tool axis, ",
+                     view.spacing, " {mm} from one to the next: such a grid would have ", nodes.prod(), " nodes, and at most ", most_nodes,
+                     " are possible; leave points far away out of the file, or take a larger ball ({setToolRadius})")};
 }
 
 } // namespace
@@ -78,7 +111,8 @@ middleOf(const std::vector<Eigen::Vector3f>& points)
 }
 
 Status
-closeByBall(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& along, double radius, double rounding, ClosedView& view)
+closeByBall(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3f>& obstacles, const Eigen::Vector3d& along,
+            double radius, double rounding, ClosedView& view)
 {
   view = ClosedView();
   if (points.size() < SurfaceGraph::fewest_points)
@@ -89,30 +123,23 @@ closeByBall(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& a
     return {StatusCode::InvalidArgument,
             Diagnostic("the tool radius ", radius, " {mm} is not larger than the point spacing, ", view.spacing,
                        " {mm}: a ball would fall between the points; take a larger ball ({setToolRadius}), or {scan more densely}")};
+  setFrame(points, along, view.grid);
   view.grid.cell = std::max(cell_spacings * view.spacing, radius / cells_per_radius);
   view.grid.reached_by = radius - rounding;
-  Eigen::Vector3d e1, e2;
-  tangentFrame(along, e1, e2);
-  view.grid.axes << e1, e2, along;
-  view.grid.origin = middleOf(points);
-  std::vector<Eigen::Vector3d> inside(points.size());
-  forPoints(points.size(), [&](std::uint32_t i) { inside[i] = view.grid.inside(points[i].cast<double>()); });
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : inside)
-    box.extend(p);
-  const Eigen::Array2d nodes = (box.sizes().head<2>().array() + 4.0 * radius) / view.grid.cell;
-  if (nodes.prod() > most_nodes)
-    return {StatusCode::InvalidInput,
-            Diagnostic("the points of the {scan} lie ", box.sizes().x(), " by ", box.sizes().y(), " {mm} apart across the tool axis, ",
-                       view.spacing, " {mm} from one to the next: such a grid would have ", nodes.prod(), " nodes, and at most ",
-                       most_nodes, " are possible; leave points far away out of the file, or take a larger ball ({setToolRadius})")};
-  view.ball = std::make_shared<const DropBall>(std::move(inside), radius);
-  ClosingGrid grid(*view.ball, view.grid.cell);
+  std::vector<Eigen::Vector3d> inside = insideOf(view.grid, points), all = insideOf(view.grid, obstacles);
+  all.insert(all.end(), inside.begin(), inside.end());
+  if (const Status status = checkSize(all, radius, view); !status.ok())
+    return status;
+  const auto own = std::make_shared<const DropBall>(std::move(inside), radius);
+  view.ball = obstacles.empty() ? own : std::make_shared<const DropBall>(std::move(all), radius);
+  ClosingGrid grid(*own, view.grid.cell);
+  if (!obstacles.empty())
+    grid.leaveOut(ClosingGrid(*view.ball, view.grid.cell));
+  view.covered = countCovered(*own, grid);
   const std::vector<std::uint32_t> sheets = closedSheets(grid, radius);
   if (rounding > 0.0)
     grid.offset(rounding);
   view.points = nodesOf(grid, sheets, view.grid);
-  view.covered = countCovered(*view.ball, grid);
   if (view.points.size() >= SurfaceGraph::fewest_points)
     return Status::success();
   return {StatusCode::InvalidInput, Diagnostic("a ball of radius ", radius,

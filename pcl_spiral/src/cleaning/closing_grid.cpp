@@ -78,20 +78,36 @@ ClosingGrid::offset(double radius)
       heights_[i] = below[i];
 }
 
-/** The lowest surface over the centres that is nowhere steeper, by two sweeps over chamfer distances (Borgefors 1986). What is eroded from
- *  it is no steeper either, and its hollows are as wide as the ball. */
+void
+ClosingGrid::leaveOut(const ClosingGrid& all)
+{
+  const std::int64_t columns = std::llround((low_.x() - all.low_.x()) / cell_), rows = std::llround((low_.y() - all.low_.y()) / cell_);
+  const double rounding = 1e-6 * cell_;
+  for (std::int64_t row = 0; row < rows_; ++row)
+    for (std::int64_t column = 0; column < columns_; ++column)
+      if (double& height = heights_[node(column, row)]; has(node(column, row)))
+        if (all.height(all.node(column + columns, row + rows)) > height + rounding)
+          height = -std::numeric_limits<double>::infinity();
+}
+
+/** The lowest surface over the centres that is nowhere steeper, by sweeps over chamfer distances (Borgefors 1986): two of them where there
+ *  are no gaps between the nodes, more round gaps. What is eroded from it is no steeper either, and its hollows are as wide as the ball. */
 void
 ClosingGrid::limitSlope()
 {
   const double straight = steepest_tangent * cell_, diagonal = std::sqrt(2.0) * straight;
+  bool changed = true;
   const auto raise = [&](std::size_t node, std::int64_t offset, double drop) {
-    centres_[node] = std::max(centres_[node], centres_[node + static_cast<std::size_t>(offset)] - drop);
+    const double least = centres_[node + static_cast<std::size_t>(offset)] - drop;
+    changed = changed || least > centres_[node];
+    centres_[node] = std::max(centres_[node], least);
   };
   const std::size_t inner = node(columns_ - 1, rows_ - 2); // over the outermost nodes there is no ball
-  for (int sweep = 0; sweep < 2; ++sweep)
+  for (int sweep = 0; sweep < 2 || changed; ++sweep) {
+    changed = false;
     for (std::size_t k = node(1, 1); k < inner; ++k) {
-      const std::size_t at = sweep == 0 ? k : node(1, 1) + inner - 1 - k;
-      const std::int64_t back = sweep == 0 ? -1 : 1;
+      const std::size_t at = sweep % 2 == 0 ? k : node(1, 1) + inner - 1 - k;
+      const std::int64_t back = sweep % 2 == 0 ? -1 : 1;
       if (!(centres_[at] > -infinite))
         continue;
       raise(at, back, straight);
@@ -99,22 +115,15 @@ ClosingGrid::limitSlope()
       raise(at, back * (columns_ + 1), diagonal);
       raise(at, back * (columns_ - 1), diagonal);
     }
+  }
 }
 
 double
-ClosingGrid::between(double u, double v) const
+ClosingGrid::lowestAbout(double u, double v) const
 {
-  const double at_column = (u - low_.x()) / cell_, at_row = (v - low_.y()) / cell_;
-  double lowest = infinite;
-  for (auto row = static_cast<std::int64_t>(std::ceil(at_row)) - reach_; row <= static_cast<std::int64_t>(at_row) + reach_; ++row)
-    for (auto column = static_cast<std::int64_t>(std::ceil(at_column)) - reach_; column <= static_cast<std::int64_t>(at_column) + reach_;
-         ++column) {
-      const double a = (static_cast<double>(column) - at_column) * cell_, b = (static_cast<double>(row) - at_row) * cell_,
-                   squared = radius_ * radius_ - a * a - b * b;
-      if (squared >= 0.0 && row >= 0 && column >= 0 && row < rows_ && column < columns_)
-        lowest = std::min(lowest, centres_[node(column, row)] - std::sqrt(squared));
-    }
-  return lowest;
+  const auto column = static_cast<std::int64_t>((u - low_.x()) / cell_), row = static_cast<std::int64_t>((v - low_.y()) / cell_);
+  const std::size_t first = node(column, row), next = first + static_cast<std::size_t>(columns_);
+  return std::min({heights_[first], heights_[first + 1], heights_[next], heights_[next + 1]});
 }
 
 } // namespace pcl_spiral

@@ -37,8 +37,10 @@ public:
   double v(std::int64_t row) const { return low_.y() + static_cast<double>(row) * cell_; }
   /** Raises the surface by a ball of \p radius, mm, that rolls on it: edges are then no sharper than that. */
   void offset(double radius);
-  /** The closing between nodes: what the balls over the nodes near (\p u, \p v) leave. */
-  double between(double u, double v) const;
+  /** Leaves out what the ball cannot touch because of the further points that \p all was made of, with the same cell. */
+  void leaveOut(const ClosingGrid& all);
+  /** The least height at the corners of the cell of (\p u, \p v), which lies between the outermost points. */
+  double lowestAbout(double u, double v) const;
 
 private:
   static constexpr double infinite = 1e300;

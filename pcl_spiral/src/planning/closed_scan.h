@@ -4,6 +4,8 @@
  */
 #pragma once
 
+#include "planning/seen_parts.h"
+#include <pcl_spiral/cleaning/ball_closing.h>
 #include <pcl_spiral/planning/impl/spiral_planning.h>
 
 #include <functional>
@@ -20,18 +22,26 @@ struct ClosingTry {
 struct ClosedScan {
   PlanInput input;       ///< with the closed scan, its grid, the axis, a smaller ball, and a modifier that keeps the tool clear of the scan
   double rounding = 0.0; ///< mm
-  Diagnostics warnings;  ///< what the ball cannot enter
+  ClosingFigures figures; ///< of the closing
+  Diagnostics warnings;   ///< what the ball cannot enter
 };
 
 /** Closes the scan of \p given along the tool axis (PlanInput::ball_closing), which is fixed: what comes down that way with an upright
- *  shank no wider than the ball meets nothing. */
-Status closeScan(const PlanInput& given, const ClosingTry& how, ClosedScan& closed);
+ *  shank no wider than the ball meets nothing. Of \p seen it keeps the part that was chosen. */
+Status closeScan(const PlanInput& given, const SeenParts& seen, const ClosingTry& how, ClosedScan& closed);
 
 /** Moves the contacts of \p plan, made over a closed scan raised by \p rounding, mm, to where the tool itself touches. */
 void moveToScan(double rounding, SpiralPlan& plan);
 
-/** Plans over the scan of \p whole, closed, by \p run, which plans every region of an input and moves it by a rounding, until a try gives a
- *  path that is clear of the scan. SpiralPlan::attempts has those that did not. */
-Status planClosed(const PlanInput& whole, const std::function<Status(const PlanInput&, double, SpiralPlan&)>& run, SpiralPlan& plan);
+/** Plans every region of an input over a surface that is raised by a length, mm. */
+using PlanRun = std::function<Status(const PlanInput&, double, SpiralPlan&)>;
+
+/** Plans over the scan of \p whole, closed, by \p run, until a try gives a path that is clear of the scan. SpiralPlan::attempts has those
+ *  that did not. */
+Status planClosed(const PlanInput& whole, const PlanRun& run, SpiralPlan& plan);
+
+/** What to add to the refusal of \p whole: whether closed by the ball, which is tried, it gives a path. Empty if not, or if nobody said
+ *  from which side the scan was taken or the tool comes. */
+Diagnostic closingRemedy(const PlanInput& whole, const PlanRun& run);
 
 } // namespace pcl_spiral

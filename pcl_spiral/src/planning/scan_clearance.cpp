@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/scan_clearance.h"
 
-#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <pcl/common/point_tests.h>
@@ -9,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace pcl_spiral {
@@ -20,10 +20,9 @@ constexpr double kept = step * step; // of the radius: between two of these plac
 } // namespace
 
 Status
-ScanClearance::modify(const Surface& surface, const SpiralSettings& settings, SpiralPath& path) const
+ScanClearance::modify(const Surface& /*surface*/, const SpiralSettings& settings, SpiralPath& path) const
 {
-  const double radius = settings.tool_radius,
-               allowed = std::max(0.0, gougeTolerance(settings.chord_error, surface.noise()) - kept * radius);
+  const double radius = settings.tool_radius, allowed = std::max(0.0, settings.chord_error - kept * radius);
   const std::size_t count = path.contacts.size();
   std::vector<std::uint8_t> begins(count + 1, 0);
   for (const std::size_t pass : path.passes)
@@ -63,35 +62,32 @@ ScanClearance::modify(const Surface& surface, const SpiralSettings& settings, Sp
   return Status::success();
 }
 
-Status
-checkClear(const pcl::PointCloud<ToolpathPoint>& path, double radius, double allowed, const pcl::PointCloud<pcl::PointXYZ>& scan)
+DeepestPoint
+deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, const std::vector<std::size_t>& pass_begins, double radius,
+             const pcl::PointCloud<pcl::PointXYZ>& scan)
 {
   std::vector<Eigen::Vector3f> points;
   for (const pcl::PointXYZ& p : scan)
     if (pcl::isFinite(p))
       points.push_back(p.getVector3fMap());
+  if (points.empty() || path.empty())
+    return {};
   const PointBlocks blocks(std::move(points));
   const auto centre = [&](std::size_t i) -> Eigen::Vector3d {
     return path[i].getVector3fMap().cast<double>() + radius * path[i].getNormalVector3fMap().cast<double>();
   };
-  std::vector<float> depth(path.size());
+  std::vector<double> depth(path.size());
 #pragma omp parallel for schedule(dynamic, 1024)
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(path.size()); ++i) {
-    const auto depthAt = [&](const Eigen::Vector3d& at) {
-      return static_cast<float>(radius - (blocks.position(blocks.nearest(at)) - at).norm());
-    };
+    const auto depthAt = [&](const Eigen::Vector3d& at) { return radius - (blocks.position(blocks.nearest(at)) - at).norm(); };
     const Eigen::Vector3d from = centre(i);
     depth[i] = depthAt(from);
-    if (static_cast<std::size_t>(i) + 1 < path.size() && path[i + 1].arc_length > path[i].arc_length)
-      depth[i] = std::max(depth[i], depthAt(0.5 * (from + centre(i + 1))));
+    const std::size_t next = static_cast<std::size_t>(i) + 1;
+    if (next < path.size() && !std::binary_search(pass_begins.begin(), pass_begins.end(), next))
+      depth[i] = std::max(depth[i], depthAt(0.5 * (from + centre(next))));
   }
   const auto deepest = std::max_element(depth.begin(), depth.end());
-  if (deepest == depth.end() || static_cast<double>(*deepest) <= allowed)
-    return Status::success();
-  const ToolpathPoint& at = path[static_cast<std::size_t>(deepest - depth.begin())];
-  return {StatusCode::Failed,
-          Diagnostic("the ball would cut ", *deepest, " {mm} into the {scan} at ", Place(at.getVector3fMap().cast<double>()), ", where ",
-                     allowed, " {mm} are allowed: close the {scan} by a larger ball ({setToolRadius}), or crop it ({setCrop})")};
+  return {*deepest, path[static_cast<std::size_t>(deepest - depth.begin())].getVector3fMap().cast<double>()};
 }
 
 } // namespace pcl_spiral

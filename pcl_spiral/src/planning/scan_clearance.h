@@ -11,12 +11,15 @@
 
 #include <pcl/point_cloud.h>
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace pcl_spiral {
 
-/** Lifts a path over a closed scan along the direction of the fall where a point of the scan is deeper in the ball than the tolerance of
- *  all checks (gougeTolerance), also on the moves between its points. */
+/** Lifts a path over a closed scan along the direction of the fall where a point of the scan is deeper in the ball than the chord error,
+ *  also on the moves between its points. Noise has no part in it: the closed surface lies over every point, and so only the fit of the path
+ *  and its linear moves can bring the ball below one. */
 class ScanClearance : public PathModifier {
 public:
   ScanClearance(std::shared_ptr<const DropBall> ball, const HeightGrid& frame) : ball_(std::move(ball)), frame_(frame) {}
@@ -28,8 +31,15 @@ private:
   HeightGrid frame_;
 };
 
-/** Ok, or Failed with the deepest place: a point of \p scan lies deeper than \p allowed, mm, in the ball of \p radius at a point of \p path
- *  or in the middle of a move. By the nearest point of the scan, and so by another way than ScanClearance. */
-Status checkClear(const pcl::PointCloud<ToolpathPoint>& path, double radius, double allowed, const pcl::PointCloud<pcl::PointXYZ>& scan);
+/** A point in the ball. */
+struct DeepestPoint {
+  double depth = 0.0;                              ///< mm
+  Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< of the contact
+};
+
+/** The point of \p scan that is deepest in the ball of \p radius, mm, at a point of \p path or in the middle of a move; the tool is lifted
+ *  before the points \p pass_begins. By the nearest point of the scan, and so by another way than ScanClearance. */
+DeepestPoint deepestPoint(const pcl::PointCloud<ToolpathPoint>& path, const std::vector<std::size_t>& pass_begins, double radius,
+                          const pcl::PointCloud<pcl::PointXYZ>& scan);
 
 } // namespace pcl_spiral

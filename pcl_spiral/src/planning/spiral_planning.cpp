@@ -202,7 +202,10 @@ planSpiral(const PlanInput& input, SpiralPlan& plan)
   if (status.ok())
     for (const StageCost& stage : stages)
       addStage(stage, plan.report.stages);
-  return status;
+  const bool final = status.ok() || status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::Cancelled;
+  if (final || input.ball_closing)
+    return status;
+  return {status.code(), status.diagnostic() + closingRemedy(input, run)};
 }
 
 } // namespace pcl_spiral

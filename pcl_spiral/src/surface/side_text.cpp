@@ -111,6 +111,8 @@ sideText(const OuterSide& side)
   Diagnostic text;
   if (side.vote == SideVote::GivenNormals)
     text = Diagnostic("by the given normals: ", agrees);
+  else if (side.vote == SideVote::ToolAxis)
+    return "from where the tool comes, along its axis";
   else if (side.vote == SideVote::Convex)
     text = Diagnostic("the convex side, as +z does not decide (mean cosine ", rounded(std::abs(side.z_cosine)), ")");
   else
@@ -129,7 +131,7 @@ sideWarnings(const OuterSide& side)
     warnings.push_back(Diagnostic("the given normals have no common side and were not used: they agree on ",
                                   percent(side.normals_agreement),
                                   " of the area, below 90 %; orient them, or give a view point ({setViewPoint})"));
-  if (side.flipped || isClear(side))
+  if (side.flipped || side.vote == SideVote::ToolAxis || isClear(side))
     return warnings;
   if (side.vote == SideVote::PlusZ)
     warnings.push_back(zWarning(side));

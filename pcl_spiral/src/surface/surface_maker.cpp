@@ -255,6 +255,8 @@ private:
     parts_.isolated = isolatedPoints();
     parts_.settings = settings_;
     parts_.side = parts_.graph.side();
+    if (settings_.heights)
+      parts_.side.vote = SideVote::ToolAxis;
     for (Diagnostic& warning : countWarnings(counts, parts_.graph.spacing()))
       parts_.warnings.push_back(std::move(warning));
     for (Diagnostic& warning : sideWarnings(parts_.side))

@@ -32,9 +32,9 @@ checkCutter(const Job& job)
   requireGiven(job, "tool-radius", "give the radius of the ball cutter in mm, such as --tool-radius 10");
   requireGiven(job, "scallop", "give the height of the ridge left between turns in mm, such as --scallop 0.05");
   for (const char* option : {"tilt", "lead", "axis-smoothing", "axis-deviation", "max-axis-rate"})
-    if (s.fixed_axis && job.given.count(option) > 0)
-      throw UsageError(
-          pcl_spiral::Diagnostic("--", option, " changes the tool axis along the path, and --axis keeps it; leave one of the two out"));
+    if ((s.fixed_axis || job.ball_closing) && job.given.count(option) > 0)
+      throw UsageError(pcl_spiral::Diagnostic("--", option, " changes the tool axis along the path, and ",
+                                              s.fixed_axis ? "--axis" : "--ball-closing", " keeps it; leave one of the two out"));
   for (const auto& [option, value] : {std::pair("scallop", s.scallop_height), std::pair("chord-error", s.chord_error)})
     requireOption(value < s.tool_radius, option, value,
                   pcl_spiral::Diagnostic("must be below the tool radius, which is ", pcl_spiral::SixDigits(s.tool_radius), " mm"));
@@ -47,12 +47,11 @@ void
 checkMesh(const Job& job)
 {
   if (!job.mesh) {
-    if (job.ball_closing && (job.verify || !job.raw_scan.empty() || !job.reach.empty()))
-      throw UsageError(pcl_spiral::Diagnostic(
-          job.verify              ? "--verify"
-          : !job.raw_scan.empty() ? "--raw-scan"
-                                  : "--reach",
-          ": with --ball-closing the path runs over a closed scan, and is checked against every point of the scan; leave this option out"));
+    for (const char* option : {"verify", "stock", "max-gouge", "max-scallop", "max-deviation", "max-uncut", "raw-scan", "reach"})
+      if (job.ball_closing && job.given.count(option) > 0)
+        throw UsageError(pcl_spiral::Diagnostic("--", option,
+                                                ": with --ball-closing the path runs over a closed scan, and is checked against every "
+                                                "point of the scan; leave this option out"));
     if (job.given.count("sample-spacing") > 0)
       throw UsageError("--sample-spacing: a scan has its own points; add --mesh to use the faces of the file, or leave it out");
     return;

@@ -274,4 +274,30 @@ TEST(BallClosing, RefusesBadInput)
   says(closing, flat, radius, "direction of the tool");
 }
 
+TEST(BallClosing, EndsWhereObstaclesKeepTheBallAway)
+{
+  const auto plane = pcl::make_shared<Cloud>(), block = pcl::make_shared<Cloud>();
+  constexpr float height = 10.0f;
+  for (float x = -20.0f; x <= 10.0f; x += 0.5f)
+    for (float y = -15.0f; y <= 15.0f; y += 0.5f)
+      (x < 0.0f ? plane : block)->push_back({x, y, x < 0.0f ? 0.0f : height});
+  BallClosing<pcl::PointXYZ> closing;
+  const Cloud alone = closed(plane, closing);
+  const auto most = [](const Cloud& cloud) {
+    return std::max_element(cloud.begin(), cloud.end(), [](const auto& a, const auto& b) { return a.x < b.x; })->x;
+  };
+  EXPECT_GT(most(alone), -0.8);
+  closing.setObstacles(block);
+  const Cloud beside = closed(plane, closing);
+  ASSERT_TRUE(closing.getStatus().ok()) << closing.getStatus().message();
+  // The ball comes down beside the edge, a radius from it, then along a flank of 75 degrees.
+  const double end = -radius - (height - radius) / steepest_tangent;
+  EXPECT_LT(most(beside), end + 1e-4);
+  EXPECT_GT(most(beside), end - 2.0 * closing.getFigures().cell);
+  for (const pcl::PointXYZ& p : beside)
+    EXPECT_NEAR(p.z, 0.0, sag);
+  EXPECT_NEAR(closing.getDropBall()->height(closing.getHeightGrid().inside({2, 0, 0}).x(), closing.getHeightGrid().inside({2, 0, 0}).y()),
+              height + radius, 1e-6); // the ball over all points
+}
+
 } // namespace ball_closing_test

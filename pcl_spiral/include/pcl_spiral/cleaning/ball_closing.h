@@ -70,6 +70,11 @@ public:
   void setViewPoint(const Eigen::Vector3d& point) { view_point_ = point; }
   const std::optional<Eigen::Vector3d>& getViewPoint() const { return view_point_; } ///< The value of setViewPoint.
 
+  /** Further points that the ball must not touch, such as the whole scan if the input is a part of it: where they are in its way, the
+   *  surface ends. Null, the default: none. */
+  void setObstacles(const typename pcl::PointCloud<PointT>::ConstPtr& obstacles) { obstacles_ = obstacles; }
+  const typename pcl::PointCloud<PointT>::ConstPtr& getObstacles() const { return obstacles_; } ///< The value of setObstacles.
+
   /** Closes the scan. \p closed is empty on failure: no cloud, no finite point, no radius, a ball not larger than the point spacing, a
    *  direction of no length, fewer than 50 points, or nothing that the ball reaches. */
   void compute(pcl::PointCloud<pcl::PointXYZ>& closed);
@@ -77,7 +82,7 @@ public:
   /** The grid whose nodes the points of the last result are. */
   const HeightGrid& getHeightGrid() const { return view_.grid; }
   const ClosingFigures& getFigures() const { return figures_; } ///< Figures of the last result.
-  /** The ball over the points as given, in the frame of getHeightGrid. */
+  /** The ball over the points as given, and the obstacles, in the frame of getHeightGrid. */
   const std::shared_ptr<const DropBall>& getDropBall() const { return view_.ball; }
 
   const Status& getStatus() const { return status_; } ///< Result of the last compute.
@@ -90,6 +95,7 @@ private:
 
   double radius_ = 0.0, rounding_ = 0.0; ///< mm
   std::optional<Eigen::Vector3d> direction_, view_point_;
+  typename pcl::PointCloud<PointT>::ConstPtr obstacles_;
   bool quiet_ = false;
   ClosedView view_;
   ClosingFigures figures_;

@@ -13,7 +13,8 @@ enum class SideVote : std::uint8_t {
   GivenNormals, ///< the normals given with the points
   ViewPoint,    ///< the side that faces the view point
   PlusZ,        ///< the side that faces +z
-  Convex        ///< the convex side: +z did not decide
+  Convex,       ///< the convex side: +z did not decide
+  ToolAxis      ///< the side from which the tool comes (BallClosing)
 };
 
 /** The outer side of a surface, and how clearly it was found. Means and shares are by area. All normals are oriented together,

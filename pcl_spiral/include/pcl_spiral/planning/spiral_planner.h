@@ -79,9 +79,11 @@ public:
   /** For a scan from one side with steps, folds and overhangs: the surface that is planned is what the ball can touch when it comes down
    *  along the tool axis (BallClosing). The axis is that of setFixedAxis, else it points to the view point, else +z, and stays the same on
    *  the whole path, so that a shank no wider than the ball meets nothing. The path is lifted off every point of the scan that it would
-   *  cut. Material that the ball cannot reach from there stays. Crops and regions work as before; keep-outs, setIndices and meshes are
-   *  refused. SpiralPlan::surface is that of the closed scan, raised by a part of the radius; SpiralPlan::cloud is the scan. Off by
-   *  default. */
+   *  cut. Material that the ball cannot reach from there stays. Crops and regions work as before. Of several separate parts the one that is
+   *  chosen (setPartAt, setLargestPart, setIndices) ends where the others keep the ball away; without a choice a warning names them.
+   *  Keep-outs and meshes are refused. SpiralPlan::surface is that of the closed scan, raised by a part of the radius; SpiralPlan::cloud is
+   *  the scan. A scan that is refused without it, and whose side is known (fixed axis, view point), is tried with it, and the refusal says
+   *  whether that gives a path. Off by default. */
   void setBallClosing(bool close) { plan_input_.ball_closing = close; }
   bool getBallClosing() const { return plan_input_.ball_closing; } ///< The value of setBallClosing.
 

@@ -9,6 +9,7 @@
 #include <pcl/impl/pcl_base.hpp>
 
 #include <utility>
+#include <vector>
 
 namespace pcl_spiral {
 
@@ -45,7 +46,8 @@ BallClosing<PointT>::run()
     return {StatusCode::InvalidArgument, Diagnostic("the direction of the tool is ", Direction(along),
                                                     ": give one such as (0, 0, 1) "
                                                     "({setDirection}), or a view point away from the {scan} ({setViewPoint})")};
-  if (const Status status = closeByBall(usable.positions, along.normalized(), radius_, rounding_, view_); !status.ok())
+  const std::vector<Eigen::Vector3f> obstacles = obstacles_ ? usablePoints(*obstacles_, nullptr).positions : std::vector<Eigen::Vector3f>();
+  if (const Status status = closeByBall(usable.positions, obstacles, along.normalized(), radius_, rounding_, view_); !status.ok())
     return status;
   figures_ = {usable.positions.size(), view_.covered, view_.spacing, view_.grid.cell};
   return Status::success();
@@ -55,11 +57,11 @@ template <typename PointT>
 void
 BallClosing<PointT>::compute(pcl::PointCloud<pcl::PointXYZ>& closed)
 {
-  closed.clear();
   view_ = ClosedView();
   figures_ = ClosingFigures();
   status_ = Status::unfinished();
-  status_ = run();
+  status_ = run(); // reads the input, which may be the same cloud
+  closed.clear();
   if (!status_.ok()) {
     view_ = ClosedView();
     if (!quiet_)

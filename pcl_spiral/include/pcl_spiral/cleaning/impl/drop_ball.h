@@ -15,8 +15,8 @@ namespace pcl_spiral {
 /** Heights at which a ball that comes down along one direction meets the first of many points: a drop cutter, and, for all places, the
  *  dilation of the points by the ball. Lengths in mm, in a frame (u, v, h) in which h is against the direction of the fall.
  *
- *  Memory: 28 bytes a point. A call looks at the cells under the ball from the highest downwards, and stops at the first that cannot be
- *  met any more. */
+ *  Memory: 28 bytes a point, twice the points while it is made. A call looks at the cell in the middle first, and then passes over all
+ *  cells whose highest point cannot be met any more. */
 class DropBall {
 public:
   /** \p points in the frame; a ball of \p radius above 0. */
