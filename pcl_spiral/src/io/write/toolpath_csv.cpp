@@ -5,6 +5,9 @@
 #include <pcl_spiral/io/toolpath_writer.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <exception>
+#include <string>
 
 namespace pcl_spiral {
 
@@ -14,8 +17,7 @@ const char* const toolpath_csv_header = "turn,arc_length,cc_x,cc_y,cc_z,normal_x
 namespace {
 
 constexpr std::size_t rows_a_block = 2048;
-constexpr std::size_t usual_row = 192;     ///< bytes
-constexpr std::size_t blocks_a_round = 32; ///< bounds the memory to 12 MB; the same for any number of threads
+constexpr std::size_t usual_row = 192; ///< bytes
 
 template <int Decimals>
 char*
@@ -48,6 +50,21 @@ writeRow(char* out, const ToolpathPoint& point, std::size_t i, const ToolpathMot
   return out;
 }
 
+/** The rows of the points from \p first up to \p last, into \p block. */
+void
+writeRows(const pcl::PointCloud<ToolpathPoint>& path, const ToolpathMotion& motion, std::size_t first, std::size_t last, std::string& block)
+{
+  constexpr std::size_t room = 16 * (fixed_point_room + 1) + 2; // and the mark of a gap
+  std::size_t size = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    if (block.size() < size + room)
+      block.resize(2 * size + room + usual_row * (last - first));
+    char* const row = block.data() + size;
+    size += static_cast<std::size_t>(writeRow(row, path[i], i, motion) - row);
+  }
+  block.resize(size);
+}
+
 } // namespace
 
 void
@@ -55,25 +72,27 @@ writeToolpathCSV(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
 {
   ByteFile out(file);
   out.write(std::string(toolpath_csv_header) + "\n");
-  std::vector<std::string> blocks(blocks_a_round);
-  for (std::size_t begin = 0; begin < path.size(); begin += rows_a_block * blocks_a_round) {
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t b = 0; b < blocks_a_round; ++b) {
-      const std::size_t first = begin + b * rows_a_block;
-      const std::size_t last = std::min(first + rows_a_block, path.size());
-      constexpr std::size_t room = 16 * (fixed_point_room + 1) + 2; // and the mark of a gap
-      std::size_t size = 0;
-      for (std::size_t i = first; i < last; ++i) {
-        if (blocks[b].size() < size + room)
-          blocks[b].resize(2 * size + room + usual_row * (last - first));
-        char* const row = blocks[b].data() + size;
-        size += static_cast<std::size_t>(writeRow(row, path[i], i, motion) - row);
+  const auto blocks = static_cast<std::int64_t>((path.size() + rows_a_block - 1) / rows_a_block);
+  std::exception_ptr failure; // none may leave the loop
+#pragma omp parallel
+  {
+    std::string block;
+#pragma omp for ordered schedule(dynamic, 1)
+    for (std::int64_t b = 0; b < blocks; ++b) {
+      const std::size_t first = static_cast<std::size_t>(b) * rows_a_block;
+      writeRows(path, motion, first, std::min(first + rows_a_block, path.size()), block);
+#pragma omp ordered
+      try { // while one thread writes, others make the next rows
+        if (!failure)
+          out.write(block);
       }
-      blocks[b].resize(size);
+      catch (...) {
+        failure = std::current_exception();
+      }
     }
-    for (const std::string& block : blocks)
-      out.write(block);
   }
+  if (failure)
+    std::rethrow_exception(failure);
   out.close();
 }
 
