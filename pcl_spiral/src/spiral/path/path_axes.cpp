@@ -46,11 +46,21 @@ forPasses(const SpiralPath& path, Visit visit)
   }
 }
 
+/** Appends \p pass to \p all; the first is not copied. */
+void
+append(std::vector<Eigen::Vector3d>&& pass, std::vector<Eigen::Vector3d>& all)
+{
+  if (all.empty())
+    all = std::move(pass);
+  else
+    all.insert(all.end(), pass.begin(), pass.end());
+}
+
 /** Appends the axes of a pass, with the larger of the figures. */
 void
-append(const SmoothAxes& pass, SmoothAxes& all)
+append(SmoothAxes&& pass, SmoothAxes& all)
 {
-  all.axes.insert(all.axes.end(), pass.axes.begin(), pass.axes.end());
+  append(std::move(pass.axes), all.axes);
   all.largest_deviation = std::max(all.largest_deviation, pass.largest_deviation);
   all.largest_change = std::max(all.largest_change, pass.largest_change);
   all.largest_rate = std::max(all.largest_rate, pass.largest_rate);
@@ -64,9 +74,9 @@ axesOf(const SpiralPath& path, const SpiralSettings& settings, std::vector<Eigen
   const AxisFieldOptions options{settings.axis_smoothing, radians(settings.axis_deviation), radians(settings.max_axis_rate)};
   SmoothAxes all;
   forPasses(path, [&](const Polyline& contacts, const std::vector<Eigen::Vector3d>& normals) {
-    const auto tilted = tiltedAxes(contacts, normals, radians(settings.tilt_angle), radians(settings.lead_angle));
+    auto tilted = tiltedAxes(contacts, normals, radians(settings.tilt_angle), radians(settings.lead_angle));
     append(smoothAxes(contacts, tilted, options), all);
-    wanted.insert(wanted.end(), tilted.begin(), tilted.end());
+    append(std::move(tilted), wanted);
   });
   return all;
 }
