@@ -119,23 +119,29 @@ private:
 std::vector<std::vector<std::uint32_t>>
 connectedGroups(const Triangulation& triangles, const std::vector<std::uint32_t>& nodes, std::vector<std::uint32_t>& scratch)
 {
+  constexpr std::uint32_t waiting = 1, first_group = 2;
   for (const std::uint32_t v : nodes)
-    scratch[v] = 1;
-  std::vector<std::vector<std::uint32_t>> groups;
+    scratch[v] = waiting;
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> group;
   for (const std::uint32_t seed : nodes) {
-    if (scratch[seed] == 0)
+    if (scratch[seed] != waiting)
       continue;
-    std::vector<std::uint32_t> group{seed};
-    scratch[seed] = 0;
+    group.assign(1, seed);
+    scratch[seed] = first_group + count;
     for (std::size_t i = 0; i < group.size(); ++i)
       forNeighbours(triangles, group[i], [&](std::uint32_t w) {
-        if (scratch[w] != 0) {
-          scratch[w] = 0;
+        if (scratch[w] == waiting) {
+          scratch[w] = first_group + count;
           group.push_back(w);
         }
       });
-    std::sort(group.begin(), group.end());
-    groups.push_back(std::move(group));
+    ++count;
+  }
+  std::vector<std::vector<std::uint32_t>> groups(count);
+  for (const std::uint32_t v : nodes) {
+    groups[scratch[v] - first_group].push_back(v);
+    scratch[v] = 0;
   }
   return groups;
 }

@@ -45,7 +45,7 @@ void findFingers(const StepOverDistance& field, const RidgeClimb& climb, const L
 void findCoreAxes(const StepOverDistance& field, const std::vector<std::uint32_t>& nodes, const std::vector<double>& distances,
                   std::vector<std::uint32_t>& scratch, std::vector<FingerAxis>& axes);
 
-/** \p nodes in connected groups, each ascending. \p scratch: a 0 for each node of the mesh, before and after the call. */
+/** \p nodes, ascending, in connected groups, each ascending. \p scratch: a 0 for each node of the mesh, before and after the call. */
 std::vector<std::vector<std::uint32_t>> connectedGroups(const Triangulation& triangles, const std::vector<std::uint32_t>& nodes,
                                                         std::vector<std::uint32_t>& scratch);
 

@@ -297,13 +297,14 @@ LoopMaker::redrawn(int level, const std::vector<FingerAxis>& axes, const std::ve
   std::vector<std::uint32_t> changed;
   raise(level, axes, thin, changed);
   const Triangulation& mesh = field_.mesh.triangles;
-  std::vector<std::uint32_t> triangles = triangles_[level];
+  std::vector<std::uint32_t> crossed, triangles;
   for (const std::uint32_t v : changed)
     for (std::size_t o = mesh.outgoingBegin(v); o < mesh.outgoingBegin(v + 1); ++o)
       if (const auto [low, high] = rangeOf(values_, mesh.triangle(mesh.outgoing(o) / 3)); low < level && level <= high)
-        triangles.push_back(mesh.outgoing(o) / 3);
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        crossed.push_back(mesh.outgoing(o) / 3);
+  std::sort(crossed.begin(), crossed.end());
+  crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
+  std::set_union(triangles_[level].begin(), triangles_[level].end(), crossed.begin(), crossed.end(), std::back_inserter(triangles));
   std::vector<RawLoop> loops = traceLoops(field_, band_, climb_, values_, level, triangles);
   for (const std::uint32_t v : changed)
     values_[v] = field_.distance[v];

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
+#include <numeric>
 
 namespace pcl_spiral {
 namespace {
@@ -19,19 +19,26 @@ struct LoopPoint {
 
 using Cell = std::array<std::int64_t, 3>;
 
-struct CellHash {
-  std::size_t operator()(const Cell& c) const { return static_cast<std::size_t>(c[0] * 73856093 ^ c[1] * 19349663 ^ c[2] * 83492791); }
-};
-
-/** Points of loops in cells. */
+/** Points of loops in cells. Cells share buckets through a hash. */
 class LoopGrid {
 public:
   LoopGrid(const std::vector<RawLoop>& loops, double edge) : loops_(loops), edge_(edge)
   {
+    std::vector<Entry> found;
     for (std::uint32_t l = 0; l < loops.size(); ++l)
       for (std::uint32_t i = 0; i < loops[l].line.points.size(); ++i)
         if (loops[l].is_fine[i])
-          cells_[cellOf(loops[l].line.points[i])].push_back({l, i});
+          found.push_back({cellOf(loops[l].line.points[i]), {l, i}});
+    while (mask_ < found.size())
+      mask_ = 2 * mask_ + 1;
+    begin_.resize(mask_ + 2, 0);
+    for (const Entry& entry : found)
+      ++begin_[bucketOf(entry.cell) + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    entries_.resize(found.size());
+    for (const Entry& entry : found)
+      entries_[next[bucketOf(entry.cell)]++] = entry;
   }
 
   template <typename Visit>
@@ -40,22 +47,36 @@ public:
     const Cell c = cellOf(p);
     for (std::int64_t x = -1; x <= 1; ++x)
       for (std::int64_t y = -1; y <= 1; ++y)
-        for (std::int64_t z = -1; z <= 1; ++z)
-          if (const auto found = cells_.find({c[0] + x, c[1] + y, c[2] + z}); found != cells_.end())
-            for (const LoopPoint& q : found->second)
-              visit(q);
+        for (std::int64_t z = -1; z <= 1; ++z) {
+          const Cell near{c[0] + x, c[1] + y, c[2] + z};
+          const std::size_t bucket = bucketOf(near);
+          for (std::uint32_t k = begin_[bucket]; k < begin_[bucket + 1]; ++k)
+            if (entries_[k].cell == near)
+              visit(entries_[k].point);
+        }
   }
 
 private:
+  struct Entry {
+    Cell cell;
+    LoopPoint point;
+  };
+
   Cell cellOf(const Eigen::Vector3d& p) const
   {
     return {static_cast<std::int64_t>(std::floor(p.x() / edge_)), static_cast<std::int64_t>(std::floor(p.y() / edge_)),
             static_cast<std::int64_t>(std::floor(p.z() / edge_))};
   }
+  std::size_t bucketOf(const Cell& c) const
+  {
+    return static_cast<std::size_t>(c[0] * 73856093 ^ c[1] * 19349663 ^ c[2] * 83492791) & mask_;
+  }
 
   const std::vector<RawLoop>& loops_;
   double edge_;
-  std::unordered_map<Cell, std::vector<LoopPoint>, CellHash> cells_;
+  std::size_t mask_ = 1;
+  std::vector<std::uint32_t> begin_; ///< in entries_, of each bucket; and the end
+  std::vector<Entry> entries_;       ///< by buckets, in each in the order of the loops
 };
 
 /** Whether a neck lies between two points of loops, each on the inner side of the other. */
