@@ -41,7 +41,7 @@ RidgeBand::sortNodes()
 {
   const auto forNodes = [this](const auto& visit) {
     for (std::uint32_t v = 0; v < field_.mesh.size(); ++v)
-      if (field_.is_fine[v])
+      if (field_.is_searched[v])
         visit(v, static_cast<std::size_t>(field_.distance[v]));
   };
   forNodes([this](std::uint32_t, std::size_t level) { ++begin_[level + 1]; });
@@ -54,7 +54,7 @@ RidgeBand::sortNodes()
 void
 RidgeBand::findNear()
 {
-  is_near_ = field_.is_fine;
+  is_near_ = field_.is_searched;
   std::vector<float> reached(field_.mesh.size(), std::numeric_limits<float>::infinity());
   std::vector<std::uint32_t> queue; // a node again when a shorter way to it is found, but once at a time
   std::vector<std::uint8_t> waits(field_.mesh.size(), 0);
@@ -62,7 +62,7 @@ RidgeBand::findNear()
   const auto count = static_cast<std::int64_t>(nodes_.size());
 #pragma omp parallel for schedule(static, 4096)
   for (std::int64_t i = 0; i < count; ++i)
-    forNeighbours(field_.mesh.triangles, nodes_[i], [&](std::uint32_t w) { starts[i] = starts[i] || !field_.is_fine[w]; });
+    forNeighbours(field_.mesh.triangles, nodes_[i], [&](std::uint32_t w) { starts[i] = starts[i] || !field_.is_searched[w]; });
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (starts[i]) {
       reached[nodes_[i]] = 0.0f;
@@ -73,7 +73,7 @@ RidgeBand::findNear()
     const float walked = reached[v];
     waits[v] = 0;
     forNeighbours(field_.mesh.triangles, v, [&](std::uint32_t w) {
-      if (field_.is_fine[w] || walked >= reached[w])
+      if (field_.is_searched[w] || walked >= reached[w])
         return;
       const float there = walked + static_cast<float>(edgeLength(field_.mesh, v, w));
       if (there >= reached[w])
@@ -92,7 +92,7 @@ void
 RidgeBand::findAbout()
 {
   std::vector<std::uint8_t> is_about(field_.mesh.size(), 0);
-  spread(field_.mesh.triangles, field_.is_fine, is_about);
+  spread(field_.mesh.triangles, field_.is_searched, is_about);
   std::vector<Eigen::Vector3f> points;
   for (std::uint32_t v = 0; v < field_.mesh.size(); ++v)
     if (is_about[v]) {
