@@ -47,14 +47,32 @@ public:
       std::sort(moves_.begin() + begin_[bucket], moves_.begin() + begin_[bucket + 1]);
   }
 
-  /** Call \p visit(first, last) with the moves of each bucket with a cell that the box from \p low to \p high touches, in rising order. */
+  /** Call \p visit(first, last, is_inner) with the moves of each bucket with a cell that the box from \p low to \p high touches, in rising
+   *  order. \p is_inner: the box from \p inner_low to \p inner_high, within the other, touches the cell too. */
   template <typename Visit>
-  void forBuckets(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit visit) const
+  void forBuckets(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Eigen::Vector3d& inner_low,
+                  const Eigen::Vector3d& inner_high, Visit visit) const
   {
-    forCells(low, high, [&](std::size_t bucket) { visit(moves_.data() + begin_[bucket], moves_.data() + begin_[bucket + 1]); });
+    const Range inner = rangeOf(inner_low, inner_high);
+    forCells(rangeOf(low, high), [&](const Cell& cell, std::size_t bucket) {
+      visit(moves_.data() + begin_[bucket], moves_.data() + begin_[bucket + 1], inner.holds(cell));
+    });
   }
 
 private:
+  using Cell = std::array<std::int64_t, 3>;
+
+  /** Cells from the first to the last along each axis. */
+  struct Range {
+    Cell first, last;
+
+    bool holds(const Cell& cell) const
+    {
+      return cell[0] >= first[0] && cell[0] <= last[0] && cell[1] >= first[1] && cell[1] <= last[1] && cell[2] >= first[2] &&
+             cell[2] <= last[2];
+    }
+  };
+
   template <typename Holds, typename Visit>
   void forMoves(const Polyline& path, const Holds& holds, Visit visit) const
   {
@@ -68,22 +86,23 @@ private:
       for (int k = 0; k < pieces; ++k) {
         const Eigen::Vector3d a = path[i] + static_cast<double>(k) / pieces * along;
         const Eigen::Vector3d b = k + 1 == pieces ? path[i + 1] : Eigen::Vector3d(path[i] + static_cast<double>(k + 1) / pieces * along);
-        forCells(a.cwiseMin(b), a.cwiseMax(b), [&](std::size_t bucket) { visit(static_cast<std::size_t>(i), bucket); });
+        forCells(rangeOf(a.cwiseMin(b), a.cwiseMax(b)),
+                 [&](const Cell&, std::size_t bucket) { visit(static_cast<std::size_t>(i), bucket); });
       }
     }
   }
-  template <typename Visit>
-  void forCells(const Eigen::Vector3d& low, const Eigen::Vector3d& high, Visit visit) const
+  Range rangeOf(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const
   {
-    std::array<std::int64_t, 3> first, last;
-    for (int d = 0; d < 3; ++d) {
-      first[d] = cellAt(low[d]);
-      last[d] = cellAt(high[d]);
-    }
-    for (std::int64_t z = first[2]; z <= last[2]; ++z)
-      for (std::int64_t y = first[1]; y <= last[1]; ++y)
-        for (std::int64_t x = first[0]; x <= last[0]; ++x)
-          visit((static_cast<std::size_t>(x) + 73856093u * static_cast<std::size_t>(y) + 19349663u * static_cast<std::size_t>(z)) & mask_);
+    return {{cellAt(low[0]), cellAt(low[1]), cellAt(low[2])}, {cellAt(high[0]), cellAt(high[1]), cellAt(high[2])}};
+  }
+  template <typename Visit>
+  void forCells(const Range& range, Visit visit) const
+  {
+    for (std::int64_t z = range.first[2]; z <= range.last[2]; ++z)
+      for (std::int64_t y = range.first[1]; y <= range.last[1]; ++y)
+        for (std::int64_t x = range.first[0]; x <= range.last[0]; ++x)
+          visit(Cell{x, y, z},
+                (static_cast<std::size_t>(x) + 73856093u * static_cast<std::size_t>(y) + 19349663u * static_cast<std::size_t>(z)) & mask_);
   }
 
   std::int64_t cellAt(double x) const

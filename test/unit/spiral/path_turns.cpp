@@ -4,6 +4,8 @@
 #include <pcl_spiral/spiral/impl/path_reversals.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
 
+#include "core/self_crossing.h"
+#include "spiral/path/turn_spacing.h"
 #include "support/outline_loops.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"
@@ -12,6 +14,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <random>
 
 namespace path_turns_test {
 
@@ -101,6 +105,23 @@ TEST(PathTurns, ThePlaceWhereTurnsBunchIsFound)
   EXPECT_NEAR(found[0].distance, bruteForce(path), 1e-12);
   EXPECT_LT(std::abs(found[0].place.y()), 1.0);
   EXPECT_GT(found[0].place.x(), 5.0);
+}
+
+TEST(PathTurns, OneWalkFindsTheClosestTurnsAndTheFirstCrossing)
+{
+  for (int trial = 0; trial < 12; ++trial) {
+    SpiralPath path = spiral(8.0, 60 + 20 * trial, [](double turn) { return 1.5 * turn; });
+    std::mt19937 random(trial);
+    std::uniform_int_distribution<std::size_t> any(path.contacts.size() / 4, path.contacts.size() * 3 / 4);
+    for (int k = 0; k < trial % 4; ++k)
+      path.contacts[any(random)] += Vector3d(0.9, 0.4, 0.1); // some turns are crossed, some not
+    const auto crossing = firstSelfCrossing(path.contacts, path.normals, ballOfFive().chord_error);
+    PathFigures figures;
+    std::optional<std::size_t> found;
+    measureTurns(path, ballOfFive(), {}, figures, found);
+    EXPECT_EQ(found, crossing) << trial;
+    EXPECT_NEAR(figures.closest.distance, bruteForce(path), 1e-12) << trial;
+  }
 }
 
 TEST(PathTurns, AReversalIsRefusedWithPlaceAngleCountAndRemedy)

@@ -6,8 +6,8 @@
 #include "given_path.h"
 #include "path_feet.h"
 #include "tight_ride.h"
+#include "turn_spacing.h"
 
-#include "core/self_crossing.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace pcl_spiral {
@@ -234,7 +235,8 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     cancelled = progress && !progress(share, "crossings");
     return !cancelled;
   };
-  const auto crossing = firstSelfCrossing(path.onSurface(), path.normals, settings.chord_error, go_on, path.passes);
+  std::optional<std::size_t> crossing;
+  measureTurns(path, settings, go_on, figures, crossing);
   if (cancelled)
     return {StatusCode::Cancelled, "cancelled"};
   if (crossing)
@@ -246,7 +248,6 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
                                         "({setCrop}); else choose another scallop height ({setScallopHeight}) or the other sense "
                                         "({setSense})")
                            : ": the radial lines there are not in order; " + constantScallopRemedy(settings))};
-  measureTurns(path, settings, figures);
   return checkReversals(figures.reversals, settings);
 }
 

@@ -21,14 +21,26 @@ constexpr double widest_steps = 5.0; // flat step-overs: metrics allow 4.5, see 
 void
 measureTurns(const SpiralPath& path, const SpiralSettings& settings, PathFigures& figures)
 {
+  std::optional<std::size_t> crossing;
+  measureTurns(path, settings, {}, figures, crossing);
+}
+
+void
+measureTurns(const SpiralPath& path, const SpiralSettings& settings, const std::function<bool(double)>& go_on, PathFigures& figures,
+             std::optional<std::size_t>& crossing)
+{
   const TurnedPath turned{path.onSurface(), path.turns, path.passes};
-  const std::vector<std::uint8_t> counted = betweenEnds(turned);
-  figures.reversals = findReversals(turned, counted);
+  TurnNeighbours neighbours;
+  neighbours.counted = betweenEnds(turned);
+  figures.reversals = findReversals(turned, neighbours.counted);
   const double flat = stepOver(settings.tool_radius, 0.0, settings.scallop_height).value_or(settings.tool_radius);
-  figures.closest =
-      settings.method == SpiralMethod::ConstantScallop
-          ? closestTurns(path, counted, path.arc_lengths, steps_apart * flat, widest_steps * flat)
-          : closestTurns(path, counted, std::vector<double>(path.turns.begin(), path.turns.end()), turns_apart, widest_steps * flat);
+  const bool by_length = settings.method == SpiralMethod::ConstantScallop;
+  neighbours.along = by_length ? path.arc_lengths : std::vector<double>(path.turns.begin(), path.turns.end());
+  neighbours.apart = by_length ? steps_apart * flat : turns_apart;
+  neighbours.within = widest_steps * flat;
+  const MoveFigures moves = measureMoves(path, neighbours, settings.chord_error, go_on);
+  figures.closest = moves.closest;
+  crossing = moves.crossing;
 }
 
 Diagnostic

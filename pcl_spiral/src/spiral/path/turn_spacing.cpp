@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "turn_spacing.h"
 
-#include "core/move_cells.h"
-
-#include <pcl_spiral/core/impl/pass_ranges.h>
+#include "core/move_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +11,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double moves_a_cell = 1.5;   // mean length of the moves: most lie in few cells
-constexpr double reaches_a_cell = 0.4; // of the widest reach: neighbouring turns are about that far apart
 constexpr std::int64_t few = 64;
-constexpr double rounding = 1e-9; // of a distance
+constexpr std::int64_t chunk = 1 << 16; // moves between two calls of go_on
+constexpr double rounding = 1e-9;       // of a distance
 
 /** A point of the path, and its distance from another turn. */
 struct Nearest {
@@ -46,56 +43,99 @@ private:
   double length_, at_;
 };
 
-} // namespace
-
-ClosestTurns
-closestTurns(const SpiralPath& path, const std::vector<std::uint8_t>& counted, const std::vector<double>& along, double apart,
-             double within)
-{
-  ClosestTurns closest;
-  if (std::none_of(counted.begin(), counted.end(), [](std::uint8_t marked) { return marked != 0; }))
-    return closest;
-  const Polyline& contacts = path.onSurface();
-  std::vector<std::uint8_t> wanted(contacts.size(), 0);
-  double length = 0.0;
-  for (std::size_t i = 0; i + 1 < contacts.size(); ++i) {
-    wanted[i] = counted[i] && counted[i + 1] && !beginsPass(path.passes, i + 1);
-    length += (contacts[i + 1] - contacts[i]).norm();
+/** Looks for crossings and for the least distance between turns. */
+class MoveWalk {
+public:
+  MoveWalk(const SpiralPath& path, const TurnNeighbours& neighbours, double slack)
+  : contacts_(path.onSurface()), neighbours_(neighbours), pairs_(contacts_, path.normals, slack, path.passes)
+  {
+    const auto& counted = neighbours.counted;
+    if (std::any_of(counted.begin(), counted.end(), [](std::uint8_t marked) { return marked != 0; }))
+      least_.distance = neighbours.within;
+    else
+      least_.distance = 0.0;
   }
-  const auto counts = [&wanted](std::size_t move) { return wanted[move] != 0; };
-  const MoveCells cells(contacts, counts, std::max(moves_a_cell * length / static_cast<double>(contacts.size()), reaches_a_cell * within));
-  Nearest least;
-  least.distance = within;
-  const auto count = static_cast<std::int64_t>(contacts.size());
-  for (const std::int64_t every : {few, std::int64_t{1}}) { // few points first: their least distance is all that the others must search
-    const Nearest before = least;
-#pragma omp parallel
+
+  std::int64_t moves() const { return pairs_.size(); }
+
+  /** Moves from \p begin up to \p end, one in \p every. */
+  void walk(std::int64_t begin, std::int64_t end, std::int64_t every)
+  {
+    const Nearest before = least_;
+    const std::int64_t count = (end - begin + every - 1) / every;
+    std::int64_t first = first_;
+#pragma omp parallel reduction(min : first)
     {
       Nearest mine = before;
-#pragma omp for schedule(dynamic, 1024)
-      for (std::int64_t k = 0; k < (count + every - 1) / every; ++k) {
-        const std::int64_t i = k * every;
-        if (!counted[i])
-          continue;
-        const Eigen::Vector3d& place = contacts[i];
-        const Eigen::Vector3d reach = Eigen::Vector3d::Constant(mine.distance * (1.0 + rounding));
-        cells.forBuckets(place - reach, place + reach, [&](const std::uint32_t* first, const std::uint32_t* last) {
-          for (const std::uint32_t* move = first; move != last; ++move) {
-            const MoveDistance from(contacts[*move], contacts[*move + 1], place);
-            if (from.isBeyond(mine.distance * (1.0 + rounding)) || std::abs(along[*move] - along[i]) < apart ||
-                std::abs(along[*move + 1] - along[i]) < apart)
-              continue;
-            mine = std::min(mine, {from.distance(), static_cast<std::size_t>(i)});
-          }
-        });
-      }
+#pragma omp for schedule(dynamic, 256) nowait
+      for (std::int64_t k = 0; k < count; ++k)
+        if (const std::int64_t i = begin + k * every; !pairs_.isLift(static_cast<std::size_t>(i)) && look(i, mine))
+          first = std::min(first, i);
 #pragma omp critical(pcl_spiral_closest_turns)
-      least = std::min(least, mine);
+      least_ = std::min(least_, mine);
     }
+    first_ = first;
   }
-  if (least.point < contacts.size())
-    closest = {least.distance, contacts[least.point]};
-  return closest;
+
+  MoveFigures figures() const
+  {
+    MoveFigures found;
+    if (first_ < moves())
+      found.crossing = static_cast<std::size_t>(first_);
+    if (least_.point < contacts_.size())
+      found.closest = {least_.distance, contacts_[least_.point]};
+    return found;
+  }
+
+private:
+  /** Whether move \p i crosses a later one; \p least: also between the ends of these moves. */
+  bool look(std::int64_t i, Nearest& least) const
+  {
+    bool crosses = false;
+    const double reach = least.distance * (1.0 + rounding), aside = reach * pairs_.leftOf(i).norm();
+    pairs_.forLater(i, reach, [&](const MovePair& pair) {
+      if (std::min(pair.begin, pair.end) > aside || std::max(pair.begin, pair.end) < -aside)
+        return; // almost all
+      crosses = crosses || (pair.mayCross() && pairs_.cross(pair.first, pair.later));
+      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        take(pair.first + end, pair.later, least);
+        take(pair.later + end, pair.first, least);
+      }
+    });
+    return crosses;
+  }
+
+  void take(std::size_t point, std::size_t move, Nearest& least) const
+  {
+    const auto& [counted, along, apart, within] = neighbours_;
+    if (std::abs(along[move] - along[point]) < apart || std::abs(along[move + 1] - along[point]) < apart ||
+        !(counted[point] && counted[move] && counted[move + 1]))
+      return;
+    const MoveDistance from(contacts_[move], contacts_[move + 1], contacts_[point]);
+    if (!from.isBeyond(least.distance * (1.0 + rounding)))
+      least = std::min(least, {from.distance(), point});
+  }
+
+  const Polyline& contacts_;
+  const TurnNeighbours& neighbours_;
+  MovePairs pairs_;
+  Nearest least_;
+  std::int64_t first_ = std::numeric_limits<std::int64_t>::max(); ///< that crosses another
+};
+
+} // namespace
+
+MoveFigures
+measureMoves(const SpiralPath& path, const TurnNeighbours& neighbours, double slack, const std::function<bool(double)>& go_on)
+{
+  MoveWalk moves(path, neighbours, slack);
+  moves.walk(0, moves.moves(), few); // few moves first: their least distance is all that the others must search
+  for (std::int64_t begin = 0; begin < moves.moves(); begin += chunk) {
+    if (go_on && !go_on(static_cast<double>(begin) / static_cast<double>(moves.moves())))
+      break;
+    moves.walk(begin, std::min(begin + chunk, moves.moves()), 1);
+  }
+  return moves.figures();
 }
 
 } // namespace pcl_spiral
