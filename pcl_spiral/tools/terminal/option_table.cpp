@@ -1,31 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_table.h"
 
-#include <algorithm>
+#include "core/nearest_name.h"
+
 #include <cctype>
-#include <numeric>
 
 using namespace pcl_spiral;
 
 namespace {
-
-/** Least number of letters to change, add or drop (Levenshtein 1966). */
-std::size_t
-editDistance(const std::string& a, const std::string& b)
-{
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 /** What stands for the value in the help: "MM", "DEGREES", "X,Y,Z", "cw|ccw". */
 std::string
@@ -129,17 +111,11 @@ findOption(const OptionTable& table, const std::string& name)
 std::string
 suggestion(const OptionTable& table, const std::string& name)
 {
-  std::string nearest;
-  std::size_t least = std::max<std::size_t>(3, name.size() / 2);
+  std::vector<std::string> names;
   for (const OptionGroup& group : table)
-    for (const Option& option : group.options) {
-      const bool begins = name.size() >= 3 && option.name.rfind(name, 0) == 0;
-      const std::size_t distance = begins ? 0 : editDistance(name, option.name);
-      if (distance < least) {
-        least = distance;
-        nearest = option.name;
-      }
-    }
+    for (const Option& option : group.options)
+      names.push_back(option.name);
+  const std::string nearest = nearestName(name, names);
   return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
 }
 
