@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace pcl_spiral {
 namespace {
@@ -16,12 +17,12 @@ struct Spread {
 };
 
 Spread
-spreadOf(const std::vector<double>& column, double scale, double origin)
+spreadOf(const NumberColumn& column, double scale, double origin)
 {
   std::vector<double> values;
-  for (const double value : column)
-    if (std::isfinite(value))
-      values.push_back(scale * (value - origin));
+  for (std::size_t i = 0; i < column.size(); ++i)
+    if (std::isfinite(column[i]))
+      values.push_back(scale * (column[i] - origin));
   if (values.empty())
     return {};
   const auto quantile = [&](double share) {
@@ -43,19 +44,20 @@ floatRounding(double value)
 }
 
 Eigen::Vector3d
-foundShift(const PointTable& table, const ReadOptions& options)
+foundShift(const PointColumns& columns, const ReadOptions& options)
 {
   const double scale = millimetres(options.unit);
   const auto matters = [&](std::size_t c) {
-    return std::any_of(table[c].begin(), table[c].end(), [&](double value) {
-      return floatRounding(scale * (value - options.origin[static_cast<Eigen::Index>(c)])) > noticed_rounding;
-    });
+    for (std::size_t i = 0; i < columns[c].size(); ++i)
+      if (floatRounding(scale * (columns[c][i] - options.origin[static_cast<Eigen::Index>(c)])) > noticed_rounding)
+        return true;
+    return false;
   };
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(), width = Eigen::Vector3d::Zero();
   if (!matters(0) && !matters(1) && !matters(2))
     return shift;
   for (Eigen::Index c = 0; c < 3; ++c) {
-    const Spread spread = spreadOf(table[static_cast<std::size_t>(c)], scale, options.origin[c]);
+    const Spread spread = spreadOf(columns[static_cast<std::size_t>(c)], scale, options.origin[c]);
     shift[c] = spread.median;
     width[c] = spread.width;
   }

@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include "point_table.h"
+#include "number_column.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
 
@@ -19,6 +19,6 @@ double floatRounding(double value);
 
 /** A place near the columns x y z, mm, which are scaled and shifted by \p options: rounded to a power of ten that is at least as large as
  *  the part. A coordinate is 0 if rounding does not matter there, or if the points are about as far spread as they are from 0. */
-Eigen::Vector3d foundShift(const PointTable& table, const ReadOptions& options);
+Eigen::Vector3d foundShift(const PointColumns& columns, const ReadOptions& options);
 
 } // namespace pcl_spiral

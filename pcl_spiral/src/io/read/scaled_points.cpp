@@ -19,15 +19,15 @@ inMillimetres(double value)
 }
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr
-movedPoints(const PointTable& table, const ReadOptions& options, const Eigen::Vector3d& shift)
+movedPoints(const PointColumns& columns, const ReadOptions& options, const Eigen::Vector3d& shift)
 {
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  cloud->resize(table[0].size());
+  cloud->resize(columns[0].size());
   const double scale = millimetres(options.unit);
   bool dense = true;
-  for (std::size_t i = 0; i < table[0].size(); ++i)
+  for (std::size_t i = 0; i < columns[0].size(); ++i)
     for (int c = 0; c < 3; ++c) {
-      const double value = scale * (table[static_cast<std::size_t>(c)][i] - options.origin[c]) - shift[c];
+      const double value = scale * (columns[static_cast<std::size_t>(c)][i] - options.origin[c]) - shift[c];
       (*cloud)[i].data[c] = static_cast<float>(value);
       dense = dense && std::isfinite((*cloud)[i].data[c]);
     }
@@ -70,14 +70,20 @@ scaleWarnings(const std::string& file, const pcl::PointCloud<pcl::PointXYZ>& clo
 } // namespace
 
 ScaledPoints
-scaledPoints(const std::string& file, const PointTable& table, const ReadOptions& options)
+scaledPoints(const std::string& file, const PointColumns& columns, const ReadOptions& options)
 {
-  const Eigen::Vector3d found = foundShift(table, options);
+  const Eigen::Vector3d found = foundShift(columns, options);
   ScaledPoints points;
   points.shift = options.find_origin ? found : Eigen::Vector3d::Zero();
-  points.cloud = movedPoints(table, options, points.shift);
+  points.cloud = movedPoints(columns, options, points.shift);
   points.warnings = scaleWarnings(file, *points.cloud, !found.isZero(), !points.shift.isZero());
   return points;
+}
+
+ScaledPoints
+scaledPoints(const std::string& file, const PointTable& table, const ReadOptions& options)
+{
+  return scaledPoints(file, PointColumns{table[0], table[1], table[2]}, options);
 }
 
 } // namespace pcl_spiral

@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 
+#include "number_column.h"
 #include "point_table.h"
 
 #include <pcl_spiral/io/cloud_reader.h>
@@ -21,6 +22,8 @@ struct ScaledPoints {
 };
 
 /** The columns x y z of \p file as points: scaled and shifted in double precision, then rounded to float. */
+ScaledPoints scaledPoints(const std::string& file, const PointColumns& columns, const ReadOptions& options);
+/** The same of the first three columns of \p table. */
 ScaledPoints scaledPoints(const std::string& file, const PointTable& table, const ReadOptions& options);
 
 } // namespace pcl_spiral
