@@ -44,6 +44,8 @@ struct RidgeRun : PassRun {
 /** Settings, counts, states of locations, collisions, times and warnings of a drive path. \throw FileError; std::invalid_argument for
  *  an empty plan */
 void writeDriveReportJSON(const std::string& file, const RunFiles& files, const DriveRun& run, const PassPlan& plan);
+/** The same as a text. \throw std::invalid_argument for an empty plan */
+std::string driveReportJSON(const RunFiles& files, const DriveRun& run, const PassPlan& plan);
 
 /** The same as one HTML file that needs no other, with \p pictures. \throw FileError; std::invalid_argument for
  *  an empty plan */
@@ -54,5 +56,7 @@ void writeDriveReportHTML(const std::string& file, const ReportPage& page, const
  *  an empty plan */
 void writeRidgeReportJSON(const std::string& file, const RunFiles& files, const RidgeRun& run, const PassPlan& plan,
                           const RidgeFigures& figures);
+/** The same as a text. \throw std::invalid_argument for an empty plan */
+std::string ridgeReportJSON(const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgeFigures& figures);
 
 } // namespace pcl_spiral

@@ -67,6 +67,8 @@ RunReport reportOf(const SpiralPlan& plan, const std::vector<Verification>& judg
 /** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the figures of the path if it was judged; no
  *  pictures. Units: mm, degrees, seconds, MB (10^6 bytes; see MemoryUse). \throw FileError */
 void writeReportJSON(const std::string& file, const RunFiles& files, const RunReport& report);
+/** The same as a text. */
+std::string reportJSON(const RunFiles& files, const RunReport& report);
 
 /** The same as one HTML file that needs no other file, with the pictures. \throw FileError */
 void writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const RunReport& report);

@@ -55,6 +55,8 @@ struct VerificationRun {
  * Lengths in mm, angles in degrees, times in
  *  seconds. \throw FileError */
 void writeVerificationJSON(const std::string& file, const VerificationRun& run, const std::vector<Verification>& verifications);
+/** The same as a text. */
+std::string verificationsJSON(const VerificationRun& run, const std::vector<Verification>& verifications);
 
 /** The same as one HTML file that needs no other: limits held or broken, pictures, figures with their places, what the
  *  scan can show, settings, warnings, times. One section for each path; \p pictures has an entry for each. \throw FileError */

@@ -59,11 +59,11 @@ meshOf(const SurfaceMesh& mesh)
 
 } // namespace
 
-void
-writeDriveReportJSON(const std::string& file, const RunFiles& files, const DriveRun& run, const PassPlan& plan)
+std::string
+driveReportJSON(const RunFiles& files, const DriveRun& run, const PassPlan& plan)
 {
   if (!plan.mesh && !plan.cloud)
-    throw std::invalid_argument("writeDriveReportJSON: the plan is empty; it is one of a planner that succeeded");
+    throw std::invalid_argument("driveReportJSON: the plan is empty; it is one of a planner that succeeded");
   Json report = {{"program", "pcl_spiral_drive"},
                  {"scan", files.scan},
                  {"options", optionsJson(files.options)},
@@ -81,7 +81,13 @@ writeDriveReportJSON(const std::string& file, const RunFiles& files, const Drive
     report["regions"].push_back({{"region", region.name}, {"passes", region.passes}, {"locations", region.locations}});
   report["drive_points"] = plan.drive.points;
   addPasses(files, run, plan, report);
-  writeJSON(file, report);
+  return jsonText(report);
+}
+
+void
+writeDriveReportJSON(const std::string& file, const RunFiles& files, const DriveRun& run, const PassPlan& plan)
+{
+  writeText(file, driveReportJSON(files, run, plan));
 }
 
 } // namespace pcl_spiral

@@ -83,11 +83,17 @@ addPasses(const RunFiles& files, const PassRun& run, const PassPlan& plan, Json&
 }
 
 void
-writeJSON(const std::string& file, const Json& report)
+writeText(const std::string& file, const std::string& text)
 {
   ByteFile out(file);
-  out.write(report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  out.write(text);
   out.close();
+}
+
+std::string
+jsonText(const Json& report)
+{
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace pcl_spiral

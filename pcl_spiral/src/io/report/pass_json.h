@@ -19,7 +19,10 @@ nlohmann::ordered_json placeJson(const Eigen::Vector3d& place);
 /** Passes, locations, times, warnings and the machine's program. */
 void addPasses(const RunFiles& files, const PassRun& run, const PassPlan& plan, nlohmann::ordered_json& report);
 
+/** With two blanks a level. */
+std::string jsonText(const nlohmann::ordered_json& report);
+
 /** \throw FileError */
-void writeJSON(const std::string& file, const nlohmann::ordered_json& report);
+void writeText(const std::string& file, const std::string& text);
 
 } // namespace pcl_spiral

@@ -235,8 +235,8 @@ reportOf(const SpiralPlan& plan, const std::vector<Verification>& judged)
   return run;
 }
 
-void
-writeReportJSON(const std::string& file, const RunFiles& of_run, const RunReport& given)
+std::string
+reportJSON(const RunFiles& of_run, const RunReport& given)
 {
   RunFiles files = of_run;
   files.words = movedBy(files.shift, files.words);
@@ -270,8 +270,14 @@ writeReportJSON(const std::string& file, const RunFiles& of_run, const RunReport
     json["verification"] = verificationJson(*run.verification, files.words, files.shift);
   for (const PathReport& region : run.regions)
     json["regions"].push_back(regionJson(region, files, settings.feed));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void
+writeReportJSON(const std::string& file, const RunFiles& files, const RunReport& report)
+{
   ByteFile out(file);
-  out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  out.write(reportJSON(files, report));
   out.close();
 }
 

@@ -73,11 +73,11 @@ foundOf(const ScanRidgeReport& f, const Eigen::Vector3d& shift)
 
 } // namespace
 
-void
-writeRidgeReportJSON(const std::string& file, const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgeFigures& figures)
+std::string
+ridgeReportJSON(const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgeFigures& figures)
 {
   if (!figures.ridge)
-    throw std::invalid_argument("writeRidgeReportJSON: the plan has no ridge; it is one of a planner that succeeded");
+    throw std::invalid_argument("ridgeReportJSON: the plan has no ridge; it is one of a planner that succeeded");
   Json report = {{"program", "pcl_spiral_ridge"}};
   for (const auto& [name, value] : {std::pair("rail", run.rail), std::pair("generator", run.generator), std::pair("scan", files.scan)})
     if (!value.empty())
@@ -89,7 +89,13 @@ writeRidgeReportJSON(const std::string& file, const RunFiles& files, const Ridge
     report["found_in_scan"] = foundOf(*figures.found, files.shift);
   report["rows"] = {{"count", figures.rows.rows}, {"largest_step", figures.rows.largest_step}, {"points", figures.rows.points}};
   addPasses(files, run, plan, report);
-  writeJSON(file, report);
+  return jsonText(report);
+}
+
+void
+writeRidgeReportJSON(const std::string& file, const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgeFigures& figures)
+{
+  writeText(file, ridgeReportJSON(files, run, plan, figures));
 }
 
 } // namespace pcl_spiral

@@ -44,8 +44,8 @@ limitsJson(const Limits& limits)
 
 } // namespace
 
-void
-writeVerificationJSON(const std::string& file, const VerificationRun& asked, const std::vector<Verification>& verifications)
+std::string
+verificationsJSON(const VerificationRun& asked, const std::vector<Verification>& verifications)
 {
   VerificationRun run = asked;
   run.words = movedBy(run.shift, run.words);
@@ -74,8 +74,14 @@ writeVerificationJSON(const std::string& file, const VerificationRun& asked, con
                      {"paths", paths},
                      {"warnings", textsOf(run.warnings, run.words)},
                      {"diagnostics", diagnosticsJson(run.warnings, run.words, run.shift)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void
+writeVerificationJSON(const std::string& file, const VerificationRun& run, const std::vector<Verification>& verifications)
+{
   ByteFile out(file);
-  out.write(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  out.write(verificationsJSON(run, verifications));
   out.close();
 }
 
