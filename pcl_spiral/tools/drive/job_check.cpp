@@ -6,6 +6,7 @@
 #include "terminal/option_values.h"
 
 #include "io/setting_names.h"
+#include "planning/pass_defaults.h"
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/core/cutter_profile.h>
 #include <pcl_spiral/core/diagnostic.h>
@@ -50,15 +51,11 @@ requireMeant(const Job& job)
           "without a --holder, or a program, CLDATA or robot frames as output, it does nothing; leave it out");
 }
 
-/** Sets the step-over from --scallop, and rows that keep it: the default where they can. */
+/** Checks --scallop and --step-over, and the rows that keep the scallop. */
 void
-completeScallop(Job& job)
+checkScallop(const Job& job)
 {
-  DriveSettings& d = job.drive;
-  const bool can_keep = d.kind == DriveKind::Planes && d.axisMode() != DriveAxisMode::Cylinder && (isBall(job) || !job.mesh);
-  if (can_keep && isGiven(job, "scallop") && !isGiven(job, "rows"))
-    d.rows = DriveRows::Kept;
-  const bool kept = d.rows == DriveRows::Kept;
+  const bool kept = job.drive.rows == DriveRows::Kept;
   if (isGiven(job, "step-over") && isGiven(job, "scallop"))
     throw UsageError("--step-over and --scallop are both given; one follows from the other, so leave one out");
   if (kept && !isGiven(job, "scallop"))
@@ -71,11 +68,9 @@ completeScallop(Job& job)
     return;
   requireOption(job.drive.scallop_height > 0.0 && job.drive.scallop_height < job.cutter.radius, "scallop", job.drive.scallop_height,
                 "must be above 0 and below the tool radius, which is " + Diagnostic(job.cutter.radius) + " mm");
-  const std::optional<double> step = stepForScallop(CutterProfile(job.cutter), job.drive.scallop_height);
-  if (!step)
+  if (!stepForScallop(CutterProfile(job.cutter), job.drive.scallop_height))
     throw UsageError(
         Diagnostic("--scallop ", job.drive.scallop_height, ": no step-over gives this height with this cutter; give a --step-over"));
-  d.step_over = *step;
 }
 
 /** Refuses options for scans with a mesh, and options for meshes with a scan. */
@@ -109,13 +104,11 @@ completePath(Job& job)
 {
   requireMeshMeant(job);
   job.flip_scan = !job.mesh && job.mesh_settings.flip;
-  if (job.mesh && !isGiven(job, "point-spacing"))
-    job.drive.point_spacing = job.cutter.radius; // the chord error adds points where the surface bends
   DriveSettings& d = job.drive;
   requireMeant(job);
   d.zigzag = !job.one_way;
-  d.cutter = job.cutter;
-  completeScallop(job);
+  completeDrive({isGiven(job, "rows"), isGiven(job, "point-spacing")}, job, job.mesh, d);
+  checkScallop(job);
   const bool is_curve = d.kind == DriveKind::Curve;
   if (!is_curve && !isGiven(job, "step-over") && !isGiven(job, "scallop"))
     throw UsageError("no --step-over is given; give the largest distance between neighbouring passes in mm, such as "
@@ -162,7 +155,6 @@ completeJob(Job& job)
   completeCutter(job);
   completePath(job);
   checkTool(job);
-  job.drive.chord_error = 0.5 * job.tolerance; // the other half is for the moves between locations
   std::vector<InputName> inputs{{"the scan", job.scan}, {"the curve", job.curve_file}, {"the raw scan", job.raw_scan}};
   for (const std::string& file : job.regions.polygons)
     inputs.push_back({"a region", file});

@@ -8,6 +8,7 @@
 #include "terminal/file_names.h"
 #include "terminal/option_values.h"
 
+#include "planning/pass_defaults.h"
 #include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
@@ -17,8 +18,7 @@ using namespace pcl_spiral;
 bool
 isBall(const PassJob& job)
 {
-  const CutterShape& c = job.cutter;
-  return c.radius > 0.0 && c.flank_angle == 0.0 && c.corner_radius == c.radius;
+  return isBallEnd(job.cutter);
 }
 
 void

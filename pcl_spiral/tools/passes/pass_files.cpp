@@ -8,7 +8,6 @@
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
-#include "io/report/cutter_text.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
@@ -37,23 +36,12 @@ isPassFile(const std::string& output)
          extension == ".png" || std::find(known.begin(), known.end(), extension) != known.end();
 }
 
-/** What a program says of its passes. */
-ProgramTexts
-textsOf(const PassJob& job, const std::string& title)
-{
-  ProgramTexts texts{title, {}, job.tolerance};
-  if (job.cutter.radius > 0.0)
-    texts.notes.push_back("cutter " + cutterText(job.cutter));
-  texts.notes.push_back(Diagnostic("tolerance ", job.tolerance, " mm, feed ", job.feed, " mm/min").text());
-  return texts;
-}
-
 void
 writePassFile(const PassJob& job, const PassResult& result, const std::string& title, const std::string& output, const std::string& file)
 {
   const std::string extension = extensionOf(output);
   if (isProgram(output))
-    return writeProgramFile(job.program, *result.program, textsOf(job, title), output, file);
+    return writeProgramFile(job.program, *result.program, programTexts(job, job.feed, title), output, file);
   if (extension == ".6d")
     return writePoseVectors(file, result.passes);
   if (extension == ".5d")

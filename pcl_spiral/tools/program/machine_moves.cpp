@@ -10,10 +10,7 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <regex>
 
 using namespace pcl_spiral;
 
@@ -67,8 +64,7 @@ plannedProgram(const ProgramJob& job, const Machine& machine, const std::string&
   run(quiet, planner, program);
   requireMade(job.machine_file.empty() ? machine.name : job.machine_file, file, planner);
   if (job.machine_file.empty())
-    warnings.push_back("no --machine is given: the program is for LinuxCNC's xyzac-trt-kins with all offsets zero and both "
-                       "rotary axes at up to 30 rev/min; no limits are checked");
+    warnings.push_back(noMachineWarning());
   warnings.insert(warnings.end(), planner.getWarnings().begin(), planner.getWarnings().end());
   return program;
 }
@@ -96,17 +92,11 @@ plannedLinks(const std::string& file, bool quiet, ProgramPlanner& planner, Diagn
 Diagnostics
 spindleWarnings(const ProgramJob& job, const Machine& machine, const std::vector<std::string>& outputs)
 {
-  const std::regex starts("\\{spindle\\}|(^|[^A-Za-z])M0?[34]($|[^0-9])");
-  const auto& header = machine.lines.header;
   Diagnostics warnings;
-  if (job.header.spindle_speed > 0.0 ||
-      std::any_of(header.begin(), header.end(), [&starts](const std::string& line) { return std::regex_search(line, starts); }))
-    return warnings;
   for (const std::string& output : outputs)
     if (isProgram(output))
-      warnings.push_back(Diagnostic(output,
-                                    ": the spindle stands still: no --spindle is given, and no line of the machine file starts it; give "
-                                    "--spindle 12000, or start it in program: {{header: [...]}} of the machine file"));
+      for (const Diagnostic& warning : spindleWarnings(output, machine, job.header))
+        warnings.push_back(warning);
   return warnings;
 }
 
@@ -114,13 +104,7 @@ void
 writeProgramFile(const ProgramJob& job, const MachineProgram& program, const ProgramTexts& texts, const std::string& output,
                  const std::string& file)
 {
-  ProgramHeader header = job.header;
-  header.title = texts.title;
-  header.notes = texts.notes;
-  if (!job.machine_file.empty())
-    header.notes.push_back("machine file " + std::filesystem::path(job.machine_file).filename().string());
-  header.smoothing = job.smoothing.value_or(texts.chord_error);
-  writeProgram(file, program, languageOf(job, output), header);
+  writeProgram(file, program, languageOf(job, output), headerOf(job.header, texts, job.machine_file, job.smoothing));
 }
 
 void

@@ -6,6 +6,8 @@
 
 #include "program_job.h"
 
+#include "io/post/plan_program.h"
+
 #include <pcl_spiral/planning/program_planner.h>
 
 #include <optional>
@@ -28,19 +30,12 @@ std::vector<pcl_spiral::ToolMoves> plannedMoves(const std::string& file, bool qu
 pcl_spiral::PassLinks plannedLinks(const std::string& file, bool quiet, pcl_spiral::ProgramPlanner& planner,
                                    pcl_spiral::Diagnostics& warnings);
 
-/** What a program says of its path: comments, and the chord error to which the control may round corners, mm. */
-struct ProgramTexts {
-  std::string title;
-  std::vector<std::string> notes;
-  double chord_error = 0.0;
-};
-
 /** A warning for each output that is a program and leaves the spindle still: no --spindle, and no line of the machine file starts it. */
 pcl_spiral::Diagnostics spindleWarnings(const ProgramJob& job, const pcl_spiral::Machine& machine, const std::vector<std::string>& outputs);
 
 /** Writes \p program for \p output as the file \p file: a .ngc in the language of LinuxCNC, others in that of the job. \throw
  *  pcl_spiral::FileError */
-void writeProgramFile(const ProgramJob& job, const pcl_spiral::MachineProgram& program, const ProgramTexts& texts,
+void writeProgramFile(const ProgramJob& job, const pcl_spiral::MachineProgram& program, const pcl_spiral::ProgramTexts& texts,
                       const std::string& output, const std::string& file);
 
 /** Prints a summary of the program. */

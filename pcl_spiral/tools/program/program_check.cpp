@@ -4,6 +4,7 @@
 #include "terminal/option_values.h"
 
 #include "common/readable_text.h"
+#include "io/post/plan_program.h"
 #include "io/setting_names.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
@@ -108,17 +109,9 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
   for (const std::string& output : outputs) {
     if (!isProgram(output))
       continue;
-    const std::string extension = extensionOf(output);
-    if (extension != ".ngc" && program.machine_file.empty())
-      throw UsageError(Diagnostic("-o ", output,
-                                  ": no --machine is given; give the machine file, such as --machine xyzac.yaml "
-                                  "(there are examples in examples/machines, installed in share/pcl_spiral)"));
-    if (extension == ".nc" && given.count("dialect") == 0)
-      throw UsageError(Diagnostic("-o ", output, ": no --dialect is given; it must be one of ", choiceList<Dialect>()));
-    if (extension != ".ngc" && program.header.tool == 0)
-      throw UsageError(Diagnostic("-o ", output,
-                                  ": no --tool is given; the control needs the tool number for the tool length: "
-                                  "--tool 3"));
+    const Diagnostic missing = missingFor(output, !program.machine_file.empty(), given.count("dialect") > 0, program.header.tool);
+    if (!missing.empty())
+      throw UsageError(Diagnostic("-o ", output, ": ", missing));
   }
   if (given.count("dialect") > 0 && std::none_of(outputs.begin(), outputs.end(), [&program](const std::string& output) {
         return isProgram(output) && languageOf(program, output) == program.dialect;

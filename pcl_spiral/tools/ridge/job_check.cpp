@@ -5,6 +5,8 @@
 #include "program/program_check.h"
 #include "terminal/option_values.h"
 
+#include "planning/pass_defaults.h"
+
 #include <pcl_spiral/core/diagnostic.h>
 
 #include <algorithm>
@@ -75,7 +77,7 @@ checkRows(Job& job)
 void
 checkBeam(Job& job)
 {
-  job.rows.chord_error = job.tolerance;
+  completeRidge({}, job, job.rows);
   refuse(job,
          {"corner-radius", "flank-length", "flank-angle", "holder", "holder-clearance", "ceiling", "max-retilt", "retilt-step",
           "accept-collisions", "scallop", "pole-cone", "stay-down"},
@@ -97,10 +99,9 @@ void
 checkCutter(Job& job)
 {
   completeCutter(job);
-  if (isGiven(job, "scallop") && !isGiven(job, "tolerance"))
-    job.tolerance = std::min(job.tolerance, 0.5 * job.scallop);
+  job.rows.scallop_height = job.scallop;
+  completeRidge({false, false, isGiven(job, "tolerance")}, job, job.rows);
   checkTool(job);
-  job.rows.chord_error = 0.5 * job.tolerance; // the other half is for the moves between locations
   refuse(job, {"stand-off"}, "a cutter touches the surface; leave --stand-off or --tool-radius out");
   refuse(job, {"spot"}, "belongs to a beam; for a cutter give --step-over or --scallop");
   if (!isGiven(job, "scallop"))
@@ -109,8 +110,6 @@ checkCutter(Job& job)
     throw UsageError("--scallop: ridge heights are known only for a ball; for this cutter give a --step-over");
   requireOption(job.scallop > 0.0 && job.scallop < job.cutter.radius, "scallop", job.scallop,
                 "must be above 0 and below the tool radius, which is " + Diagnostic(job.cutter.radius) + " mm");
-  job.rows.tool_radius = job.cutter.radius;
-  job.rows.scallop_height = job.scallop;
 }
 
 } // namespace

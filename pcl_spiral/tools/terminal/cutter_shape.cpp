@@ -3,9 +3,7 @@
 
 #include "terminal.h"
 
-#include <pcl_spiral/core/impl/angles.h>
-
-#include <cmath>
+#include "planning/pass_defaults.h"
 
 using namespace pcl_spiral;
 
@@ -25,11 +23,8 @@ cutterShapeOptions(const std::string& radius_help, CutterShape& cutter)
 void
 completeCutter(bool corner_given, CutterShape& cutter)
 {
-  const double angle = cutter.flank_angle * degree;
-  if (!corner_given && angle == 0.0)
-    cutter.corner_radius = cutter.radius;
-  else if (!corner_given)
-    cutter.corner_radius = (cutter.radius - cutter.flank_length * std::sin(angle)) / std::cos(angle);
+  if (!corner_given)
+    setLargestCorner(cutter);
   if (const Diagnostic fault = faultOf(cutter); !fault.empty())
     throw UsageError(Diagnostic("the cutter of --tool-radius, --corner-radius, --flank-length and --flank-angle: ", fault));
 }

@@ -10,7 +10,6 @@
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
 
-#include "io/report/cutter_text.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
@@ -155,22 +154,12 @@ writeReport(const Job& job, const Result& result, const std::string& title, cons
   writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, files, report);
 }
 
-/** What a program says of its path. */
-ProgramTexts
-textsOf(const SpiralSettings& s, const std::string& title)
-{
-  return {title,
-          {"cutter " + cutterText(CutterShape::ball(s.tool_radius)),
-           Diagnostic("scallop height ", s.scallop_height, " mm, chord error ", s.chord_error, " mm, feed ", s.feed, " mm/min").text()},
-          s.chord_error};
-}
-
 /** A program, CLDATA or robot frames. */
 void
 writeMoves(const Job& job, const Result& result, const std::string& title, const std::string& output, const std::string& file)
 {
   if (isProgram(output))
-    return writeProgramFile(job.program, *result.program, textsOf(job.settings, title), output, file);
+    return writeProgramFile(job.program, *result.program, programTexts(job.settings, title), output, file);
   writeExchange(job.program, {title, ballCutter(job.settings.tool_radius), result.moves}, result.program, output, file);
 }
 

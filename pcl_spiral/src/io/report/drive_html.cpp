@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cutter_text.h"
 #include "html_page.h"
+#include "io/cutter_text.h"
 #include "moved_places.h"
 #include "verification_html.h"
 

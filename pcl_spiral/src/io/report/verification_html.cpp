@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification_html.h"
 
-#include "cutter_text.h"
+#include "io/cutter_text.h"
 #include "io/setting_names.h"
 #include "moved_places.h"
 #include "verify/figure_text.h"
