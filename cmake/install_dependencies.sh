@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the missing Debian packages: as root or with sudo; otherwise it lists them.
-# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [doc] [releases]
+# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [doc] [python] [releases]
 # (without names: build)
 set -euo pipefail
 
@@ -12,6 +12,8 @@ display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev libcgal-dev) # CGAL's slicer of meshes runs beside ours
 fuzz=(clang libclang-rt-dev) # libFuzzer; no test needs it
 doc=(doxygen)
+python=(python3-dev pybind11-dev python3-numpy # the module, and arrays that it takes and gives
+  python3-pytest mypy) # its tests, and the check of its types
 releases=(debootstrap git) # tests on bare Debian releases
 
 wanted=()
@@ -23,8 +25,9 @@ for group in "${@:-build}"; do
     benchmark) wanted+=("${benchmark[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
     doc) wanted+=("${doc[@]}") ;;
+    python) wanted+=("${python[@]}") ;;
     releases) wanted+=("${releases[@]}") ;;
-    *) echo "unknown group '$group': name build, test, display, benchmark, fuzz, doc or releases" >&2; exit 2 ;;
+    *) echo "unknown group '$group': name build, test, display, benchmark, fuzz, doc, python or releases" >&2; exit 2 ;;
   esac
 done
 

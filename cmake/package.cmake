@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the three targets, the headers, the CMake package, the pkg-config files; CPack makes the .deb.
-# Components: libraries (what runs), development (what compiles), programs (with man pages and machine files), documentation.
+# Components: libraries (what runs), development (what compiles), programs (with man pages and machine files), documentation, python.
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/pcl_spiral)
 
@@ -58,4 +58,22 @@ if(DPKG_SHLIBDEPS)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/pcl_spiral)
 endif()
+if(TARGET pcl_spiral_python) # a package of its own, beside that of all the rest
+  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+  set(CPACK_DEBIAN_SUITE_PACKAGE_NAME pcl-spiral)
+  set(CPACK_DEBIAN_SUITE_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_BINDING_PACKAGE_NAME python3-pcl-spiral)
+  set(CPACK_DEBIAN_BINDING_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_BINDING_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_BINDING_PACKAGE_DEPENDS "pcl-spiral (= ${PROJECT_VERSION}), python3-numpy")
+endif()
 include(CPack)
+if(TARGET pcl_spiral_python)
+  cpack_add_component_group(suite)
+  cpack_add_component_group(binding)
+  foreach(component libraries development programs documentation)
+    cpack_add_component(${component} GROUP suite)
+  endforeach()
+  cpack_add_component(python GROUP binding)
+endif()

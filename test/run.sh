@@ -6,11 +6,11 @@ set -euo pipefail
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${PCL_SPIRAL_BUILD_DIR:-$top/build}
 
-bash "$top/cmake/install_dependencies.sh" build test display
+bash "$top/cmake/install_dependencies.sh" build test display python
 
 echo "Configuring $build"
 cmake -G Ninja -S "$top" -B "$build" -DCMAKE_BUILD_TYPE=Release -DPCL_SPIRAL_BUILD_TESTS=ON \
-  -DPCL_SPIRAL_BUILD_EXAMPLES=ON
+  -DPCL_SPIRAL_BUILD_EXAMPLES=ON -DPCL_SPIRAL_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3
 
 # A compiler process needs up to 1.7 GB, some tests as much.
 memory_jobs=$(awk '/MemAvailable/ { print int($2 / 1.8e6) }' /proc/meminfo)

@@ -26,7 +26,8 @@ void
 completeDrive(const AskedSettings& asked, const PassSettings& tool, bool on_mesh, DriveSettings& drive)
 {
   drive.cutter = tool.cutter;
-  drive.chord_error = 0.5 * tool.tolerance;
+  if (!asked.chord_error)
+    drive.chord_error = 0.5 * tool.tolerance;
   if (on_mesh && !asked.point_spacing)
     drive.point_spacing = tool.cutter.radius;
   if (!(drive.scallop_height > 0.0))
@@ -42,16 +43,14 @@ completeDrive(const AskedSettings& asked, const PassSettings& tool, bool on_mesh
 void
 completeRidge(const AskedSettings& asked, PassSettings& tool, RidgeRowSettings& rows)
 {
-  if (!(tool.cutter.radius > 0.0)) {
-    rows.chord_error = tool.tolerance;
-    return;
-  }
-  if (rows.scallop_height > 0.0) {
+  const bool is_beam = !(tool.cutter.radius > 0.0);
+  if (!is_beam && rows.scallop_height > 0.0) {
     rows.tool_radius = tool.cutter.radius;
     if (!asked.tolerance)
       tool.tolerance = std::min(tool.tolerance, 0.5 * rows.scallop_height);
   }
-  rows.chord_error = 0.5 * tool.tolerance;
+  if (!asked.chord_error)
+    rows.chord_error = is_beam ? tool.tolerance : 0.5 * tool.tolerance;
 }
 
 } // namespace pcl_spiral

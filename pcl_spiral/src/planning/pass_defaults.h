@@ -15,6 +15,7 @@ struct AskedSettings {
   bool rows = false;
   bool point_spacing = false;
   bool tolerance = false;
+  bool chord_error = false;
 };
 
 /** Whether \p cutter ends in a ball on a cylinder. */

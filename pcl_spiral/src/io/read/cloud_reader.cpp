@@ -69,24 +69,6 @@ requireText(const std::string& file, const std::string& extension, const ReadOpt
     throw FileError(file, "only lines of text files can be skipped; leave {ReadOptions::skip_lines} out");
 }
 
-/** The columns behind x y z as normals; zero where one is not finite; null without these columns or if all are zero. */
-pcl::PointCloud<pcl::Normal>::Ptr
-normalsOf(const PointTable& table)
-{
-  if (table.size() < 6)
-    return nullptr;
-  const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  bool any = false;
-  for (std::size_t i = 0; i < table[0].size(); ++i) {
-    const Eigen::Vector3d normal(table[3][i], table[4][i], table[5][i]);
-    const bool known = normal.allFinite() && normal.norm() > 0.0;
-    const Eigen::Vector3f n = known ? normal.normalized().cast<float>().eval() : Eigen::Vector3f(Eigen::Vector3f::Zero());
-    normals->emplace_back(n.x(), n.y(), n.z());
-    any = any || known;
-  }
-  return any ? normals : nullptr;
-}
-
 } // namespace
 
 const std::vector<std::string>&
@@ -125,7 +107,8 @@ readCloud(const std::string& file, const ReadOptions& options)
   scan.cloud = points.cloud;
   scan.shift = points.shift;
   scan.warnings.insert(scan.warnings.end(), points.warnings.begin(), points.warnings.end());
-  scan.normals = normalsOf(table);
+  if (table.size() >= 6)
+    scan.normals = unitNormals({table[3], table[4], table[5]});
   if (extension == ".pcd")
     if (const auto place = readPcdViewPoint(file, bytes, table))
       scan.view_point = millimetres(options.unit) * (*place - options.origin) - scan.shift;

@@ -5,6 +5,8 @@
 #include "text_encoding.h"
 #include "text_scan.h"
 
+#include "core/polygon_prism.h"
+
 #include <pcl_spiral/io/file_error.h>
 
 #include <cmath>
@@ -56,10 +58,7 @@ readPolygon(const std::string& file, const ReadOptions& options)
     const Eigen::Vector3d corner(numbers[0], numbers[1], columns > 2 ? numbers[2] : options.origin.z());
     corners.push_back(millimetres(options.unit) * (corner - options.origin));
   }
-  Eigen::Vector3d axis = columns > 2 ? polygonArea(corners) : Eigen::Vector3d::UnitZ();
-  if (!(axis.norm() > 0.0))
-    axis = Eigen::Vector3d::UnitZ();
-  Prism prism(corners, axis);
+  Prism prism = prismOver(corners, columns > 2);
   if (!prism.fault().empty())
     throw FileError(file, Diagnostic("the polygon is no area: ", prism.fault()));
   return prism;

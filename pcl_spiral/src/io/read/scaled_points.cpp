@@ -86,4 +86,19 @@ scaledPoints(const std::string& file, const PointTable& table, const ReadOptions
   return scaledPoints(file, PointColumns{table[0], table[1], table[2]}, options);
 }
 
+pcl::PointCloud<pcl::Normal>::Ptr
+unitNormals(const PointColumns& columns)
+{
+  auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
+  bool any = false;
+  for (std::size_t i = 0; i < columns[0].size(); ++i) {
+    const Eigen::Vector3d normal(columns[0][i], columns[1][i], columns[2][i]);
+    const bool known = normal.allFinite() && normal.norm() > 0.0;
+    const Eigen::Vector3f n = known ? normal.normalized().cast<float>().eval() : Eigen::Vector3f(Eigen::Vector3f::Zero());
+    normals->emplace_back(n.x(), n.y(), n.z());
+    any = any || known;
+  }
+  return any ? normals : nullptr;
+}
+
 } // namespace pcl_spiral

@@ -26,4 +26,7 @@ ScaledPoints scaledPoints(const std::string& file, const PointColumns& columns, 
 /** The same of the first three columns of \p table. */
 ScaledPoints scaledPoints(const std::string& file, const PointTable& table, const ReadOptions& options);
 
+/** Normals of unit length; zero where one is not finite. Null if all are zero. */
+pcl::PointCloud<pcl::Normal>::Ptr unitNormals(const PointColumns& columns);
+
 } // namespace pcl_spiral

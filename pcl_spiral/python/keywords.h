@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Keywords of a call, made from tables of settings.
+ */
+#pragma once
+
+#include "errors.h"
+
+#include <pcl_spiral/core/setting.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl_spiral::python {
+
+/** A keyword that is not a single value of a table: an array, a file, a function. */
+struct Input {
+  std::string name;                 ///< the keyword
+  std::string type;                 ///< for type checkers
+  std::string help;                 ///< what it is
+  std::vector<std::string> setters; ///< its names in C++
+};
+
+/** The keywords of one call. Its settings are variables that must outlive it. */
+class Keywords {
+public:
+  /** A name that is in several tables sets all of them; its help is that of the first. */
+  Keywords(std::string function, std::vector<Setting> settings, std::vector<Input> inputs)
+  : function_(std::move(function)), settings_(std::move(settings)), inputs_(std::move(inputs))
+  {}
+  Keywords(const Keywords&) = delete;
+
+  /** Sets the variables of the settings. Raises for a name that is none, with the nearest one, and for a value that a setting does not
+   *  take. */
+  void take(const py::dict& given);
+
+  bool isGiven(const std::string& name) const { return given_.contains(name) && !given_[name.c_str()].is_none(); }
+  /** The value of an input; None if it is not given. */
+  py::object operator[](const std::string& name) const { return isGiven(name) ? py::object(given_[name.c_str()]) : py::none(); }
+
+  /** Names of C++ as keywords. */
+  Vocabulary vocabulary() const;
+
+  /** One dict for each keyword, with all that is shown of it. */
+  py::list table() const;
+
+private:
+  std::vector<std::string> names() const;
+  void set(const std::string& name, const py::handle& value);
+
+  std::string function_;
+  std::vector<Setting> settings_;
+  std::vector<Input> inputs_;
+  py::dict given_;
+};
+
+/** \p table without the settings of these \p names. */
+std::vector<Setting> without(std::vector<Setting> table, const std::set<std::string>& names);
+
+/** Three finite numbers, as of a tuple, a list or an array. */
+Eigen::Vector3d placeFrom(const std::string& name, const py::handle& value);
+
+/** A number that is no text. */
+double numberFrom(const std::string& name, const py::handle& value, const Diagnostic& rule = "must be a number");
+
+} // namespace pcl_spiral::python

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the calls give, and what they raise."""
+
+import html
+import json
+from dataclasses import dataclass
+
+
+class Error(ValueError):
+    """What the library refuses, in the words of keywords: the fault, the place and value, and the remedy."""
+
+    def __init__(self, text, id="", code="failed", places=(), settings=()):
+        super().__init__(text)
+        self.id = id  # the words without the values: the same for every fault of this kind
+        self.code = code  # invalid-argument, invalid-input, failed, cancelled or file
+        self.places = places  # (x, y, z) in the coordinates of the points, mm
+        self.settings = settings  # keywords that it names
+
+    def __reduce__(self):
+        return type(self), (str(self), self.id, self.code, self.places, self.settings)
+
+
+@dataclass(frozen=True)
+class Program:
+    """A file that program() wrote."""
+
+    file: str
+    warnings: list
+    blocks: int = 0  # of CLDATA and robot frames: 0
+    minutes: float = 0.0  # without rapids
+
+
+@dataclass(frozen=True)
+class Verification:
+    """What verify() found. Arrays: one a region."""
+
+    report_text: str  # JSON
+    broken: tuple  # what is wrong: limits, collisions, wrong poses
+    warnings: tuple
+    deviation: tuple  # mm, one a path point, positive out of the material
+    stock: tuple  # mm, one a point of the scan, or a sample of the mesh
+
+    @property
+    def ok(self):
+        """Whether nothing is broken."""
+        return not self.broken
+
+    @property
+    def report(self):
+        """All figures with their places, as in the JSON of pcl_spiral_verify."""
+        return json.loads(self.report_text)
+
+
+def _report(path):
+    """Settings, figures, times and warnings, as in the JSON report of the programs."""
+    return json.loads(path.report_text)
+
+
+def _program(path, file, **settings):
+    """The same as pcl_spiral.program(path, file, ...)."""
+    return Program(**path.write_program(file, settings))
+
+
+def _repr(path):
+    count = len(path.passes)
+    length = path.arc_length[-1] / 1000 if len(path) else 0.0
+    return f"<pcl_spiral.Path: {len(path)} points, {count} {'pass' if count == 1 else 'passes'}, {length:.3f} m>"
+
+
+def _repr_html(path):
+    rows = "".join(f"<li>{html.escape(warning)}</li>" for warning in path.warnings)
+    return f"<p>{html.escape(repr(path))}</p>" + (f"<ul>{rows}</ul>" if rows else "")
+
+
+def _to_vtk(path):
+    """A vtkPolyData with one polyline a pass, and the point data of a .vtp. Needs the package vtk."""
+    import os
+    import tempfile
+
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+    with tempfile.TemporaryDirectory() as folder:
+        path.save(os.path.join(folder, "path.vtp"))
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(os.path.join(folder, "path.vtp"))
+        reader.Update()
+        return reader.GetOutput()
+
+
+def complete_path(path):
+    """The class of the module with what is written in Python."""
+    path.__module__ = "pcl_spiral"
+    path.__doc__ = "A path. Arrays have one row a point and are read only; lengths in mm, in the coordinates of the points."
+    path.report = property(_report)
+    path.program = _program
+    path.__repr__ = _repr
+    path._repr_html_ = _repr_html
+    path.to_vtk = _to_vtk
+    return path
