@@ -166,10 +166,11 @@ Keywords::names() const
 void
 Keywords::set(const std::string& name, const py::handle& value)
 {
-  const Words words{vocabulary()};
+  Words words{vocabulary()};
   for (const Setting& setting : settings_) {
     if (setting.name != name)
       continue;
+    words.vocabulary.words[setting.setter] = name + "="; // several may share a setter
     std::visit(TakeValue{name, setting, value, words}, setting.target);
     if (const Diagnostic fault = faultOf(std::vector<Setting>{setting}); !fault.empty())
       raise("invalid-argument", fault, words);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The module behind the package pcl_spiral.
 #include "path.h"
+#include "running.h"
 
 namespace pcl_spiral::python {
 
@@ -25,4 +26,5 @@ PYBIND11_MODULE(_core, module)
   addPath(module);
   addPlanning(module);
   addVerification(module);
+  py::module_::import("atexit").attr("register")(py::cpp_function(&finishRuns));
 }

@@ -82,12 +82,14 @@ planOf(const std::shared_ptr<Planner>& planner)
 
 template <typename Planner>
 void
-compute(Planner& planner, Progress& progress, const Words& words)
+compute(const std::shared_ptr<Planner>& planner, const Keywords& keywords, const Words& words)
 {
-  planner.setQuiet(true);
-  planner.setProgressCallback(progress.callback());
-  progress.run([&planner] { planner.compute(); });
-  require(planner.getStatus(), words);
+  const Run run(keywords["progress"]);
+  planner->setQuiet(true);
+  planner->setProgressCallback(run.progress());
+  run([planner] { planner->compute(); });
+  planner->setProgressCallback(nullptr);
+  require(planner->getStatus(), words);
 }
 
 Diagnostics
@@ -147,8 +149,7 @@ spiral(const py::object& points, const py::dict& given)
   planner->setAcceptCollisions(call.accept_collisions);
   planner->setBallClosing(call.ball_closing);
   planner->setSampleSpacing(call.sample_spacing);
-  Progress progress(call.keywords["progress"]);
-  compute(*planner, progress, call.words);
+  compute(planner, call.keywords, call.words);
 
   Path path;
   const SpiralPlan& plan = planner->getPlan();
@@ -290,8 +291,7 @@ drive(const py::object& points, const py::dict& given)
   call.read(points, call.keywords, call.surface.view_point);
   const auto planner = std::make_shared<OpenDrivePlanner>();
   setDrive(call, *planner);
-  Progress progress(call.keywords["progress"]);
-  compute(*planner, progress, call.words);
+  compute(planner, call.keywords, call.words);
   const auto plan = planOf<PassPlan>(planner);
   const DriveRun run{{call.tool, call.feed, std::nullopt}, call.drive, call.gouge_check, call.surface.largest_part, call.surface.thinning};
   RunFiles files = call.files();
@@ -357,8 +357,7 @@ ridge(const py::object& points, const py::dict& given)
   call.read(points, call.keywords, call.surface.view_point, "scan_normals");
   const auto planner = std::make_shared<OpenRidgePlanner>();
   setRidge(call, *planner);
-  Progress progress(call.keywords["progress"]);
-  compute(*planner, progress, call.words);
+  compute(planner, call.keywords, call.words);
   const RidgePlan& plan = planner->getPlan();
   const RidgeRun run{
       {call.tool, call.feed, std::nullopt}, "", "", call.ridge, call.rows, planner->getRoughPoints(), call.half_width, call.closed};

@@ -96,13 +96,16 @@ setPlan(const Path& path, ProgramPlanner& planner)
 }
 
 template <typename Made>
-void
-compute(ProgramPlanner& planner, Progress& progress, const Words& words, Made& made)
+Made
+compute(const std::shared_ptr<ProgramPlanner>& planner, const Keywords& keywords, const Words& words)
 {
-  planner.setQuiet(true);
-  planner.setProgressCallback(progress.callback());
-  progress.run([&] { planner.compute(made); });
-  require(planner.getStatus(), words);
+  const Run run(keywords["progress"]);
+  const auto made = std::make_shared<Made>();
+  planner->setQuiet(true);
+  planner->setProgressCallback(run.progress());
+  run([planner, made] { planner->compute(*made); });
+  require(planner->getStatus(), words);
+  return std::move(*made);
 }
 
 /** Machine and header of a program \p file, checked. */
@@ -132,12 +135,10 @@ writeOne(const std::string& file, const Words& words, Write write)
 py::dict
 writeMoves(const Path& path, const std::string& file, const ProgramCall& call, const Words& words)
 {
-  ProgramPlanner planner;
-  const ProgramTexts texts = setPlan(path, planner);
-  planner.setSettings(call.settings);
-  Progress progress(call.keywords["progress"]);
-  std::vector<ToolMoves> moves;
-  compute(planner, progress, words, moves);
+  const auto planner = std::make_shared<ProgramPlanner>();
+  const ProgramTexts texts = setPlan(path, *planner);
+  planner->setSettings(call.settings);
+  const auto moves = compute<std::vector<ToolMoves>>(planner, call.keywords, words);
   const PathSource& source = *path.source;
   writeOne(file, words, [&](const std::string& temporary) {
     if (lowerExtension(file) == ".yaml")
@@ -146,7 +147,7 @@ writeMoves(const Path& path, const std::string& file, const ProgramCall& call, c
     writeAPT(temporary, moves,
              {texts.title, cutter, call.header.spindle_speed, call.header.spindle_direction, call.header.coolant, call.header.tool});
   });
-  return py::dict(py::arg("file") = file, py::arg("warnings") = textsOf(planner.getWarnings(), words.vocabulary));
+  return py::dict(py::arg("file") = file, py::arg("warnings") = textsOf(planner->getWarnings(), words.vocabulary));
 }
 
 py::dict
@@ -155,17 +156,15 @@ writeBlocks(const Path& path, const std::string& file, const ProgramCall& call, 
   const std::string machine_file = fileOf(call.keywords["machine"]).value_or("");
   const Dialect language = dialectOfExtension(lowerExtension(file)).value_or(call.dialect.value_or(Dialect::LinuxCNC));
   const Machine machine = machineOf(call, file, machine_file, language, words);
-  ProgramPlanner planner;
-  const ProgramTexts texts = setPlan(path, planner);
-  planner.setMachine(machine);
-  planner.setSettings(call.settings);
-  Progress progress(call.keywords["progress"]);
-  MachineProgram program;
-  compute(planner, progress, words, program);
+  const auto planner = std::make_shared<ProgramPlanner>();
+  const ProgramTexts texts = setPlan(path, *planner);
+  planner->setMachine(machine);
+  planner->setSettings(call.settings);
+  const auto program = compute<MachineProgram>(planner, call.keywords, words);
   Diagnostics warnings = spindleWarnings(file, machine, call.header);
   if (machine_file.empty())
     warnings.push_back(noMachineWarning());
-  warnings.insert(warnings.end(), planner.getWarnings().begin(), planner.getWarnings().end());
+  warnings.insert(warnings.end(), planner->getWarnings().begin(), planner->getWarnings().end());
   writeOne(file, words, [&](const std::string& temporary) {
     pcl_spiral::writeProgram(temporary, program, language, headerOf(call.header, texts, machine_file, call.smoothing));
   });

@@ -6,64 +6,30 @@
 
 #include "errors.h"
 
-#include <chrono>
-#include <optional>
+#include <functional>
+#include <memory>
 #include <string>
 
 namespace pcl_spiral::python {
 
-/** Progress of one call: the user's function, and signals such as that of Ctrl-C, which both can cancel. */
-class Progress {
+/** One run of the library, in a thread of its own: the thread of the caller looks for signals meanwhile, so Ctrl-C comes through at once.
+ *  The library then stops at its next step of progress, and nobody waits for it. */
+class Run {
 public:
   /** \p function: called with the share done and the name of the stage; it cancels by False, or by an exception. None: none. */
-  explicit Progress(const py::object& function) : function_(function)
-  {
-    if (!function.is_none() && PyCallable_Check(function.ptr()) == 0)
-      raiseType("progress= must be a function of the share done and the name of the stage, such as progress=print");
-  }
+  explicit Run(const py::object& function);
 
-  ProgressCallback callback()
-  {
-    return [this](double share, const std::string& stage) { return goesOn(share, stage); };
-  }
+  ProgressCallback progress() const;
 
-  /** Runs \p compute without the lock of the interpreter, then raises what stopped it. */
-  template <typename Compute>
-  void run(Compute compute)
-  {
-    {
-      const py::gil_scoped_release release;
-      compute();
-    }
-    if (raised_)
-      throw *raised_;
-  }
+  /** Runs \p compute without the lock of the interpreter, then raises what stopped it. It must own what it uses. */
+  void operator()(const std::function<void()>& compute) const;
 
 private:
-  bool goesOn(double share, const std::string& stage)
-  {
-    const auto now = std::chrono::steady_clock::now();
-    if (raised_ || (function_.is_none() && now - looked_ < std::chrono::milliseconds(20)))
-      return !raised_;
-    looked_ = now;
-    const py::gil_scoped_acquire acquire;
-    try {
-      if (PyErr_CheckSignals() != 0)
-        throw py::error_already_set();
-      if (!function_.is_none()) {
-        const py::object answer = function_(share, stage);
-        return !(py::isinstance<py::bool_>(answer) && !answer.cast<bool>());
-      }
-    }
-    catch (const py::error_already_set& error) {
-      raised_ = error;
-    }
-    return !raised_;
-  }
-
-  py::object function_;
-  std::chrono::steady_clock::time_point looked_;
-  std::optional<py::error_already_set> raised_;
+  struct State;
+  std::shared_ptr<State> state_;
 };
+
+/** Waits for runs that nobody waits for: before the interpreter ends. */
+void finishRuns();
 
 } // namespace pcl_spiral::python

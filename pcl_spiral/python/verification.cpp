@@ -154,22 +154,22 @@ verify(const py::object& points, const py::object& judged, const py::dict& given
   call.words.shift = call.scan.shift;
   call.words.vocabulary = movedBy(call.scan.shift, call.words.vocabulary);
   completeCutter(call.keywords, call.corner_radius, call.words, call.judge.cutter);
-  OpenVerifier verifier;
-  setPart(call, verifier);
+  const auto verifier = std::make_shared<OpenVerifier>();
+  setPart(call, *verifier);
   const std::optional<std::string> file = fileOf(judged);
   if (!file && !py::isinstance<Path>(judged))
     raiseType("verify() takes a Path, or the file of a path or of a program, as its second argument");
   if (file)
-    withFiles(call.words, [&] { giveFile(*file, call, verifier); });
+    withFiles(call.words, [&] { giveFile(*file, call, *verifier); });
   else
-    givePath(judged.cast<const Path&>(), call, verifier);
-  Progress progress(call.keywords["progress"]);
-  std::vector<Verification> found;
-  verifier.setQuiet(true);
-  verifier.setProgressCallback(progress.callback());
-  progress.run([&] { verifier.compute(found); });
-  require(verifier.getStatus(), call.words);
-  return resultOf(call, verifier, found, file.value_or(""));
+    givePath(judged.cast<const Path&>(), call, *verifier);
+  const Run run(call.keywords["progress"]);
+  const auto found = std::make_shared<std::vector<Verification>>();
+  verifier->setQuiet(true);
+  verifier->setProgressCallback(run.progress());
+  run([verifier, found] { verifier->compute(*found); });
+  require(verifier->getStatus(), call.words);
+  return resultOf(call, *verifier, *found, file.value_or(""));
 }
 
 } // namespace

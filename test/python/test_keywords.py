@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every setting is a keyword: tests made from the tables of settings."""
+
+import inspect
+import math
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from conftest import cap, source
+
+import pcl_spiral
+from pcl_spiral import _core, _stub
+
+FUNCTIONS = {
+    "spiral": lambda **k: pcl_spiral.spiral(CAP, **({"tool_radius": 6, "scallop": 0.5} | k)),
+    "drive": lambda **k: pcl_spiral.drive(CAP, **({"tool_radius": 6, "step_over": 6} | k)),
+    "ridge": lambda **k: pcl_spiral.ridge(rail=RAIL, generator=ACROSS, **({"spot": 4, "reference": (0, 0, 1)} | k)),
+    "verify": lambda **k: pcl_spiral.verify(CAP, PATH, **({"tool_radius": 6} | k)),
+    "program": lambda **k: pcl_spiral.program(PATH, "part.ngc", **k),
+}
+CAP = cap(800)
+PATH = pcl_spiral.spiral(CAP, tool_radius=6, scallop=0.5)
+X = np.linspace(0, 200, 60)
+RAIL = np.column_stack([X, 0 * X, 0.0005 * X * (200 - X)])
+Y = np.linspace(-10, 10, 30)
+ACROSS = np.column_stack([0 * Y + 100, Y, 5 - 0.02 * Y**2])
+ROWS = [(name, row) for name in FUNCTIONS for row in _core.keywords(name) if "default" in row]
+NUMBERS = [(name, row) for name, row in ROWS if row["type"] in ("int", "float", "float | None")]
+
+
+def named(pair):
+    return f"{pair[0]}-{pair[1]['name']}"
+
+
+def outside(row):
+    """A number that the setting does not take, at each end of its range."""
+    step = 1 if row["type"] == "int" else 0.001
+    if math.isfinite(row["least"]):
+        yield row["least"] - step if row["takes_least"] else row["least"]
+    if math.isfinite(row["most"]):
+        yield row["most"] + step if row["takes_most"] else row["most"]
+    if row["type"] != "int":
+        yield math.nan
+
+
+@pytest.mark.parametrize("pair", NUMBERS, ids=named)
+def test_a_number_out_of_range_is_refused_with_name_value_and_rule(pair, folder):
+    name, row = pair
+    for value in outside(row):
+        with pytest.raises(pcl_spiral.Error) as error:
+            FUNCTIONS[name](**{row["name"]: int(value) if row["type"] == "int" else value})
+        text = str(error.value)
+        assert row["name"] + "=" in text and "must be" in text, text
+        assert math.isnan(value) or re.search(r"-?\d", text), text
+        assert error.value.code == "invalid-argument" and "{" not in text and "set" + "Tool" not in text
+        assert row["example"] == "" or row["example"] in text
+
+
+@pytest.mark.parametrize("pair", ROWS, ids=named)
+def test_values_of_another_type_are_refused_with_the_name(pair, folder):
+    name, row = pair
+    for value in (object(), [1, 2], "no such word", {}):
+        with pytest.raises((TypeError, pcl_spiral.Error), match=row["name"] + "="):
+            FUNCTIONS[name](**{row["name"]: value})
+
+
+@pytest.mark.parametrize("pair", ROWS, ids=named)
+def test_the_default_changes_nothing_and_help_has_all(pair, folder):
+    name, row = pair
+    call = getattr(pcl_spiral, name)
+    assert row["name"] in inspect.signature(call).parameters
+    assert f"    {row['name']}: {row['type']}" in call.__doc__ and row["help"] in call.__doc__
+    if not row["required"]:
+        taken = _core.keywords(name)  # tables are made anew
+        assert row == next(r for r in taken if r["name"] == row["name"])
+
+
+@pytest.mark.parametrize("pair", [pair for pair in ROWS if pair[1]["name"] not in ("unit", "step_over")], ids=named)
+def test_a_usual_value_is_taken(pair, folder):
+    """It is taken, or refused by the library for what it means beside others, never for its type or its range."""
+    name, row = pair
+    kind = row["type"]
+    if kind == "bool":
+        value = not row["default"]
+    elif kind.startswith("Literal"):
+        value = re.findall(r"'([^']*)'", kind)[-1]
+    elif kind.startswith("Place"):
+        value = np.array([float(x) for x in row["example"].split(",")])
+    else:
+        value = np.float64(row["example"] or 1) if kind != "int" else np.int64(row["example"])
+    given = {row["name"]: value}
+    if (name, row["name"]) == ("drive", "scallop"):
+        given["step_over"] = 0
+    if name == "ridge" and row["name"] in ("scallop", "tool_radius"):
+        given = {"spot": 0, "step_over": 2, "tool_radius": 6, "overlap": 0} | given
+        given["step_over"] = 0 if row["name"] == "scallop" else 2
+    try:
+        FUNCTIONS[name](**given)
+    except pcl_spiral.Error as error:
+        assert not re.search(rf"it must be .*\({row['name']}=\)", str(error)), error
+
+
+def test_misspelt_keywords_name_the_nearest():
+    for name, wrong, right in (
+        ("spiral", "tool_radus", "tool_radius"),
+        ("spiral", "scalop", "scallop"),
+        ("drive", "stepover", "step_over"),
+        ("ridge", "over_lap", "overlap"),
+        ("verify", "maxgouge", "max_gouge"),
+        ("program", "spindel", "spindle"),
+        ("spiral", "keep_out", "keep_outs"),
+    ):
+        with pytest.raises(TypeError, match=f"{name}\\(\\) has no keyword '{wrong}'; did you mean '{right}'\\?"):
+            FUNCTIONS[name](**{wrong: 1})
+    with pytest.raises(TypeError, match="help\\(pcl_spiral.spiral\\) lists them"):
+        FUNCTIONS["spiral"](qqqqqqqqqqqqqqqqqqqqqqq=1)
+
+
+def test_errors_speak_of_keywords():
+    with pytest.raises(pcl_spiral.Error, match=r"\(scallop=\)") as error:
+        pcl_spiral.spiral(CAP, tool_radius=6, scallop=7)
+    assert error.value.settings == ("scallop",) and "{setScallopHeight}" in error.value.id
+    with pytest.raises(pcl_spiral.Error, match="tool_radius="):
+        pcl_spiral.spiral(CAP, scallop=0.1)
+    two = np.concatenate([CAP, CAP + [200, 0, 0]])
+    with pytest.raises(pcl_spiral.Error, match="part_at=") as error:
+        pcl_spiral.spiral(two, tool_radius=6, scallop=0.5)
+    assert len(error.value.places) >= 2 and len(error.value.places[0]) == 3
+    assert "--" not in str(error.value) and "setPartAt" not in str(error.value)
+
+
+def test_types_are_up_to_date_and_strict(folder):
+    with open(pcl_spiral.__file__ + "i", encoding="utf-8") as file:
+        assert file.read() == _stub.stub()
+    (folder / "wrong.py").write_text("import pcl_spiral\npcl_spiral.spiral('a.pcd', tool_radius=6, scallop=0.1, sense='left')\n")
+    examples = sorted(str(p) for p in __import__("pathlib").Path(source("examples", "python")).glob("*.py"))
+    check = [sys.executable, "-m", "mypy", "--strict", "--cache-dir=/dev/null"]
+    done = subprocess.run(check + examples, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    done = subprocess.run(check + ["wrong.py"], capture_output=True, text=True)
+    assert "sense" in done.stdout and "Found 1 error" in done.stdout, done.stdout

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Progress, cancelling, threads, memory, silence, pickling."""
+
+import copy
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+from conftest import cap
+
+import pcl_spiral
+
+SETTINGS = {"tool_radius": 6, "scallop": 0.5}
+POINTS = cap(1500)
+
+
+def test_progress_rises_to_the_end():
+    said = []
+    pcl_spiral.spiral(POINTS, progress=lambda share, stage: said.append((share, stage)), **SETTINGS)
+    shares = [share for share, _ in said]
+    assert len(said) > 3 and shares == sorted(shares) and 0 <= shares[0] and shares[-1] <= 1
+    assert all(isinstance(stage, str) and stage for _, stage in said)
+
+
+def test_false_cancels_and_exceptions_come_through():
+    class Own(Exception):
+        pass
+
+    def fail(share, stage):
+        raise Own(stage)
+
+    calls = []
+    with pytest.raises(pcl_spiral.Error) as error:
+        pcl_spiral.spiral(POINTS, progress=lambda share, stage: bool(calls.append(share)), **SETTINGS)
+    assert error.value.code == "cancelled" and len(calls) == 1
+    for call, settings in ((pcl_spiral.spiral, SETTINGS), (pcl_spiral.drive, {"tool_radius": 6, "step_over": 5})):
+        with pytest.raises(Own):
+            call(POINTS, progress=fail, **settings)
+    path = pcl_spiral.spiral(POINTS, **SETTINGS)
+    with pytest.raises(Own):
+        pcl_spiral.verify(POINTS, path, progress=fail, tool_radius=6)
+    with pytest.raises(TypeError, match="progress="):
+        pcl_spiral.spiral(POINTS, progress=5, **SETTINGS)
+    with pytest.raises(TypeError):
+        pcl_spiral.spiral(POINTS, progress=lambda: None, **SETTINGS)
+
+
+LONG = """
+import numpy, os, signal, sys, threading, time
+import pcl_spiral
+sys.path.insert(0, sys.argv[1])
+from conftest import cap
+points = cap(400000, rim=50.0)
+sent = []
+def send():
+    time.sleep(float(sys.argv[2]))
+    sent.append(time.monotonic())
+    os.kill(os.getpid(), signal.SIGINT)
+threading.Thread(target=send).start()
+try:
+    pcl_spiral.spiral(points, tool_radius=2, scallop=0.0005)
+    print("done")
+except KeyboardInterrupt:
+    print(time.monotonic() - sent[0])
+"""
+
+
+@pytest.mark.parametrize("delay", [0.3, 1.0, 2.0])
+def test_control_c_cancels_at_once(delay):
+    done = subprocess.run([sys.executable, "-c", LONG, os.path.dirname(__file__), str(delay)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    late = float(done.stdout)  # of two cores that others use, too
+    print(f"{late:.3f} s after the signal")
+    assert late < 0.6
+
+
+def test_other_threads_of_python_go_on():
+    counts = [0]
+    stop = threading.Event()
+
+    def count():
+        while not stop.is_set():
+            counts[0] += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    begin = time.monotonic()
+    pcl_spiral.spiral(cap(60000), tool_radius=4, scallop=0.02)
+    seconds, counted = time.monotonic() - begin, counts[0]
+    stop.set()
+    thread.join()
+    assert counted > 50 * seconds
+
+
+def test_eight_threads_at_once_and_cancelled_at_random():
+    expected = pcl_spiral.spiral(POINTS, **SETTINGS).contact.tobytes()
+    faults = []
+
+    def work(seed):
+        random = np.random.default_rng(seed)
+        for _ in range(4):
+            left = random.integers(1, 30)
+
+            def progress(share, stage):
+                nonlocal left
+                left -= 1
+                return left > 0
+
+            try:
+                path = pcl_spiral.spiral(POINTS, progress=progress if random.integers(2) else None, **SETTINGS)
+                if path.contact.tobytes() != expected:
+                    faults.append("another path")
+            except pcl_spiral.Error as error:
+                if error.code != "cancelled":
+                    faults.append(str(error))
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert faults == []
+
+
+def resident():
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+def test_memory_stays_flat():
+    def once():
+        path = pcl_spiral.spiral(POINTS, **SETTINGS)
+        path.contact, path.turn, path.report  # noqa: B018
+        pickle.loads(pickle.dumps(path))
+        with pytest.raises(pcl_spiral.Error):
+            pcl_spiral.spiral(POINTS, tool_radius=6, scallop=7)
+
+    for _ in range(8):
+        once()
+    before = resident()
+    for _ in range(30):
+        once()
+    assert resident() - before < 12  # MB; one path with its plan takes 1.5
+
+
+def test_nothing_is_printed(capfd):
+    pcl_spiral.spiral(POINTS, **SETTINGS)
+    for call, points, settings in (
+        (pcl_spiral.spiral, POINTS[:3], SETTINGS),
+        (pcl_spiral.spiral, POINTS, {"tool_radius": 6}),
+        (pcl_spiral.drive, POINTS[:3], {"tool_radius": 6, "step_over": 5}),
+        (pcl_spiral.ridge, POINTS, {"tool_radius": 6, "step_over": 5}),
+    ):
+        with pytest.raises(pcl_spiral.Error):
+            call(points, **settings)
+    assert capfd.readouterr() == ("", "")
+
+
+def test_arrays_are_views_that_outlive_the_path():
+    path = pcl_spiral.spiral(POINTS, **SETTINGS)
+    assert path.contact.base is not None and path.contact.__array_interface__ == path.contact.__array_interface__
+    assert np.shares_memory(path.turn, path.turn) and np.shares_memory(path.contact, path.contact)
+    for name, kind in {"turn": "f4", "arc_length": "f8", "lift": "f4", "over_gap": "?"}.items():
+        assert getattr(path, name).shape == (len(path),) and getattr(path, name).dtype == kind
+    for name in ("contact", "normal", "tip", "axis"):
+        array = getattr(path, name)
+        assert array.shape == (len(path), 3) and array.dtype == "f8" and not array.flags.writeable
+    tip = path.contact + 6 * (path.normal - path.axis)
+    assert np.abs(tip - path.tip).max() < 1e-9
+    contact, copied = path.contact, path.contact.copy()
+    del path
+    for _ in range(3):
+        pcl_spiral.spiral(POINTS, **SETTINGS)
+    assert contact.tobytes() == copied.tobytes()
+
+
+@pytest.mark.parametrize("kind", ["spiral", "drive"])
+def test_pickling(kind, folder):
+    path = (
+        pcl_spiral.spiral(POINTS, **SETTINGS)
+        if kind == "spiral"
+        else pcl_spiral.drive(POINTS, tool_radius=6, corner_radius=1, step_over=5)
+    )
+    for other in (pickle.loads(pickle.dumps(path)), copy.deepcopy(path)):
+        for name in ("contact", "normal", "tip", "axis", "turn", "arc_length", "lift", "over_gap"):
+            assert getattr(other, name).tobytes() == getattr(path, name).tobytes()
+        assert (other.report, other.warnings, other.passes) == (path.report, path.warnings, path.passes)
+        path.save("a.csv")
+        other.save("b.csv")
+        assert open("a.csv", "rb").read() == open("b.csv", "rb").read()
+    with pytest.raises(pcl_spiral.Error, match="unpickled"):
+        other.program("part.ngc")
+    with pytest.raises(pcl_spiral.Error) as error:
+        pcl_spiral.spiral(POINTS[:3], **SETTINGS)
+    copied = pickle.loads(pickle.dumps(error.value))
+    assert (str(copied), copied.id, copied.code) == (str(error.value), error.value.id, error.value.code)
+    found = pcl_spiral.verify(POINTS, path, tool_radius=6, corner_radius=6 if kind == "spiral" else 1)
+    assert pickle.loads(pickle.dumps(found)).report == found.report
+
+
+def test_files_that_cannot_be_written(folder):
+    path = pcl_spiral.spiral(POINTS, **SETTINGS)
+    for name in ("part.doc", "part", "part.ngc"):
+        with pytest.raises(pcl_spiral.Error, match="not known"):
+            path.save(name)
+    with pytest.raises(pcl_spiral.Error, match="none/part.csv"):
+        path.save("none/part.csv")
+    for name, settings, said in (
+        ("part.csv", {}, "not known"),
+        ("part.mpf", {}, "no machine="),
+        ("part.nc", {"machine": "none.yaml"}, "no dialect="),
+        ("part.ngc", {"machine": "none.yaml"}, "none.yaml"),
+    ):
+        with pytest.raises(pcl_spiral.Error, match=said):
+            path.program(name, **settings)
+    with pytest.raises(TypeError):
+        path.save(5)
+    assert os.listdir() == []
+
+
+def test_pictures_of_notebooks_and_vtk():
+    path = pcl_spiral.spiral(POINTS, **SETTINGS)
+    assert "points" in repr(path) and repr(path)[1:-1] in path._repr_html_().replace("&lt;", "<").replace("&gt;", ">")
+    if not pytest.importorskip("vtkmodules.vtkIOXML"):
+        return
+    lines = path.to_vtk()
+    assert lines.GetNumberOfPoints() == len(path) and lines.GetNumberOfLines() == len(path.passes)
