@@ -21,29 +21,25 @@
 
 namespace pcl_spiral::python {
 
-/** x y z of an array where they stand; \p arrays keeps them alive. */
-struct ArrayColumns {
-  PointColumns columns;
-  std::vector<py::array> arrays;
-};
-
-/** The columns of \p object, which is (N, 3) or has the three \p fields. Only other types than float32 and float64 in the order of this
- *  machine are copied. */
-ArrayColumns columnsOf(const std::string& name, const py::object& object, const std::vector<std::string>& fields = {"x", "y", "z"});
+/** x y z of three arrays where they stand. */
+PointColumns columnsOf(const py::object& columns);
 
 /** A scan or a mesh of the user, in mm. */
 struct GivenScan : Scan {
+  GivenScan() { cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>(); }
+
   std::string name;                                ///< its file; empty: an array
   pcl::PolygonMesh::ConstPtr mesh;                 ///< null: a scan
   std::optional<Eigen::Vector3d> asked_view_point; ///< of the keyword, in the coordinates of cloud
+  bool trust_given = true;                         ///< its normals are of an array, or trust_normals= is given
 
-  /** Sets the input and what decides its side. A given view point goes before normals, and these before the view point of a file. */
+  /** Sets what decides its side. A given view point goes before normals, and these before the view point of a file. */
   template <typename Stage>
-  void setSide(Stage& stage, bool trust_given) const
+  void setSide(Stage& stage) const
   {
     if (normals && !asked_view_point)
       stage.setInputNormals(normals);
-    if (!trust_given)
+    if (!trust_given && !mesh)
       stage.setTrustNormals(false); // normals without a common side are not used, with a warning
     if (asked_view_point || view_point)
       stage.setViewPoint(asked_view_point ? *asked_view_point : *view_point);
@@ -63,20 +59,20 @@ struct GivenUnits {
 /** The inputs normals= and faces=. */
 std::vector<Input> scanInputs();
 
-/** Reads \p points: a file, or an array with faces= and the keyword \p normals. */
+/** Reads \p points: a file, or columns with faces= and the keyword \p normals. */
 GivenScan scanOf(const py::object& points, const Keywords& keywords, const GivenUnits& units, const Words& words,
                  const std::string& normals = "normals");
 
-/** Points of an array or a file, in their order. */
-Polyline lineOf(const std::string& name, const py::object& points, const ReadOptions& read, const Words& words);
+/** Points of rows (N, 3) or of a file, in their order; none of None. */
+Polyline lineOf(const py::object& points, const ReadOptions& read, const Words& words);
 
-/** A polygon of an array (N, 2) or (N, 3), or of a file. */
+/** Places of rows (N, 2) or (N, 3). */
+Polyline cornersOf(const py::array_t<double>& rows, const ReadOptions& read);
+
+/** A polygon of rows or of a file. */
 Prism polygonOf(const std::string& name, const py::object& corners, const ReadOptions& read, const Words& words);
 
-/** The file that \p object names; nothing if it is no str or os.PathLike. */
-std::optional<std::string> fileOf(const py::handle& object);
-
-/** Parts of (radius, length) or (lower radius, upper radius, length), upwards. */
-std::vector<ToolSegment> holderOf(const py::object& given);
+/** Parts of (lower radius, upper radius, length), upwards. */
+std::vector<ToolSegment> holderOf(const py::list& parts);
 
 } // namespace pcl_spiral::python

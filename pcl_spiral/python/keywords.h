@@ -40,6 +40,9 @@ public:
   /** The value of an input; None if it is not given. */
   py::object operator[](const std::string& name) const { return isGiven(name) ? py::object(given_[name.c_str()]) : py::none(); }
 
+  /** The entries of an input that is a sequence; none if it is not given. */
+  py::list list(const std::string& name) const { return isGiven(name) ? py::list((*this)[name]) : py::list(); }
+
   /** Names of C++ as keywords. */
   Vocabulary vocabulary() const;
 
@@ -59,10 +62,7 @@ private:
 /** \p table without the settings of these \p names. */
 std::vector<Setting> without(std::vector<Setting> table, const std::set<std::string>& names);
 
-/** Three finite numbers, as of a tuple, a list or an array. */
-Eigen::Vector3d placeFrom(const std::string& name, const py::handle& value);
-
-/** A number that is no text. */
-double numberFrom(const std::string& name, const py::handle& value, const Diagnostic& rule = "must be a number");
+/** Three numbers. */
+Eigen::Vector3d placeFrom(const py::handle& value);
 
 } // namespace pcl_spiral::python

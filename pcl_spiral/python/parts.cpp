@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parts.h"
 
+#include "io/report/moved_places.h"
 #include "planning/pass_defaults.h"
 
 namespace pcl_spiral::python {
-namespace {
-
-/** \p given as an array of one row; nothing for a file or another shape. */
-py::array
-rowOf(const py::object& given)
-{
-  py::array numbers = fileOf(given) ? py::array() : py::array::ensure(given);
-  if (!numbers)
-    PyErr_Clear();
-  return numbers && numbers.ndim() == 1 ? numbers : py::array();
-}
-
-} // namespace
-
+const std::vector<Input> holder_input{
+    {"holder",
+     "Sequence[Sequence[float]]",
+     "shank and holder above the flank, upwards: (radius, length) or (lower radius, upper radius, length)",
+     {"setHolder", "PassSettings::holder"}}};
 const std::vector<Input> progress_input{{"progress",
                                          "Progress | None",
                                          "called with the share done and the name of the stage; return False to cancel, or raise",
@@ -35,68 +27,68 @@ partInputs()
 {
   return scanInputs() +
          std::vector<Input>{{"crop",
-                             "ArrayLike | str | PathLike[str] | None",
+                             "ArrayLike | File | None",
                              "only points inside are of the part: (xmin, xmax, ymin, ymax) or also zmin, zmax; corners of a polygon, or "
                              "its file",
                              {"setCropBox", "setCrop"}},
                             {"keep_outs",
-                             "Sequence[ArrayLike | str | PathLike[str]]",
+                             "Sequence[ArrayLike | File]",
                              "polygons that the cutter does not enter: corners (N, 2), along z, or (N, 3), or files",
                              {"addKeepOut"}},
                             {"regions",
-                             "Sequence[ArrayLike | str | PathLike[str]]",
+                             "Sequence[ArrayLike | File]",
                              "parts with a path of their own: polygons, or places (x, y, z) on separate parts",
                              {"addRegion", "PartRegion"}}};
 }
 
-std::vector<Setting>
-cutterTable(const NumberRange& radius, CutterShape& cutter, double& corner_radius)
-{
-  const NumberRange length = NumberRange::from(0.0);
-  return {Setting("tool_radius", "setCutter", "tool radius", "radius of the cutter at the upper end of its flank", "6", cutter.radius)
-              .in("mm", radius),
-          Setting("corner_radius", "CutterShape::corner_radius", "corner radius", "of the end of the cutter; a ball if it is not given",
-                  "1", corner_radius)
-              .in("mm", length),
-          Setting("flank_length", "setFlankLength", "flank length", "of the cutting flank along its slant, above the corner", "20",
-                  cutter.flank_length)
-              .in("mm", length),
-          Setting("flank_angle", "CutterShape::flank_angle", "flank angle", "between flank and axis", "5", cutter.flank_angle)
-              .in("degrees", length.below(90.0))};
-}
-
 void
-completeCutter(const Keywords& keywords, double corner_radius, const Words& words, CutterShape& cutter)
+completeCutter(const Keywords& keywords, const Words& words, CutterShape& cutter)
 {
-  cutter.corner_radius = corner_radius;
   if (!keywords.isGiven("corner_radius"))
     setLargestCorner(cutter);
   if (const Diagnostic fault = faultOf(cutter); cutter.radius > 0.0 && !fault.empty())
     raise("invalid-argument", Diagnostic("tool_radius=, corner_radius=, flank_length= and flank_angle=: ", fault), words);
 }
 
-std::optional<Eigen::AlignedBox3d>
-boxOf(const py::object& given, const ReadOptions& read, const Words& words)
+void
+Call::read(const py::object& points, const Keywords& keywords, SurfaceSettings& surface, const std::string& normals)
 {
-  const py::array numbers = rowOf(given);
-  if (!numbers || (numbers.size() != 4 && numbers.size() != 6))
-    return std::nullopt;
+  words.vocabulary = keywords.vocabulary();
+  words.vocabulary.words.insert(
+      {{"setInputCloud", "points"}, {"ScannedSurface", "scan"}, {"Scale it to mm", "Give its unit=, or scale it to mm"}});
+  if (!points.is_none())
+    scan = scanOf(points, keywords, units, words, normals);
+  words.shift = scan.shift;
+  words.vocabulary = movedBy(scan.shift, words.vocabulary);
+  if (scan.mesh)
+    words.vocabulary.words.insert({{"scan", "mesh"}, {"cloud", "mesh"}, {"scanned surface", "surface"}, {"on the scan", "on the mesh"}});
+  intoCloud(surface.part_at, scan.shift);
+  intoCloud(surface.view_point, scan.shift);
+  scan.asked_view_point = surface.view_point;
+  surface.view_point = std::nullopt;
+  scan.trust_given = scan.name.empty() || keywords.isGiven("trust_normals");
+}
+
+RunFiles
+Call::files(const Diagnostics& warnings) const
+{
+  RunFiles files{scan.name, units.unit, units.origin.value_or(Eigen::Vector3d::Zero()), {}, warnings};
+  files.shift = scan.shift;
+  files.words = words.vocabulary;
+  files.words.place = nullptr; // the writer moves places
+  return files;
+}
+
+Eigen::AlignedBox3d
+boxOf(const py::array_t<double>& numbers, const ReadOptions& read, const Words& words)
+{
   constexpr double endless = 1e30;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(-endless), high = Eigen::Vector3d::Constant(endless);
   for (py::ssize_t i = 0; i < numbers.size(); ++i)
-    (i % 2 == 0 ? low : high)[i / 2] = numberFrom("crop", numbers[py::int_(i)]);
+    (i % 2 == 0 ? low : high)[i / 2] = numbers.at(i);
   if (!(low.array() < high.array()).all())
     raise("invalid-argument", "crop=: the second number of each pair must be above the first", words);
-  const double scale = millimetres(read.unit);
-  return Eigen::AlignedBox3d(scale * (low - read.origin), scale * (high - read.origin));
-}
-
-PlanRegion
-regionOf(const py::object& given, const ReadOptions& read, const Eigen::Vector3d& shift, const Words& words)
-{
-  if (const py::array numbers = rowOf(given); numbers && numbers.size() == 3)
-    return {std::nullopt, placeFrom("regions", given) - shift, ""};
-  return {polygonOf("regions", given, read, words), std::nullopt, ""};
+  return Eigen::AlignedBox3d(millimetres(read.unit) * (low - read.origin), millimetres(read.unit) * (high - read.origin));
 }
 
 } // namespace pcl_spiral::python

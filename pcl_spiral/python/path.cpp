@@ -92,28 +92,25 @@ writeTo(const Path& path, const std::string& file, const std::string& extension)
 }
 
 void
-save(const Path& path, const py::object& target)
+save(const Path& path, const std::string& file)
 {
-  const std::optional<std::string> file = fileOf(target);
-  if (!file)
-    raiseType("save() takes the name of a file, such as part.csv");
-  const std::string extension = lowerExtension(*file);
+  const std::string extension = lowerExtension(file);
   const auto& known = toolpathExtensions();
   const bool is_known =
       std::find(known.begin(), known.end(), extension) != known.end() || extension == ".6d" || extension == ".5d" || extension == ".json";
   if (!is_known)
     raise("invalid-argument",
-          Diagnostic(*file, ": the extension '", extension,
+          Diagnostic(file, ": the extension '", extension,
                      "' is not known; use .csv .pcd .ply .vtp .6d .5d or .json, and program() for programs, CLDATA and robot frames"),
           {});
   if (!path.motion.tips.empty() && (extension == ".pcd" || extension == ".ply"))
     raise("invalid-argument",
-          Diagnostic(*file, ": this format holds contacts, and only for a ball do they give the tips; write the path of this tool as .csv, "
-                            ".vtp, .6d or a program"),
+          Diagnostic(file, ": this format holds contacts, and only for a ball do they give the tips; write the path of this tool as .csv, "
+                           ".vtp, .6d or a program"),
           {});
   withFiles({}, [&] {
     const py::gil_scoped_release release;
-    OutputFiles files({*file});
+    OutputFiles files({file});
     writeTo(path, files.temporary(0), extension);
     files.commit();
   });
@@ -163,7 +160,7 @@ fromState(const py::tuple& state)
   path.motion.feed = state[3].cast<double>();
   fromBytes(state[4], path.motion.tips);
   path.motion.passes = state[5].cast<std::vector<std::size_t>>();
-  path.motion.origin = placeFrom("shift", state[6]);
+  path.motion.origin = placeFrom(state[6]);
   if (py::len(state[7]) > 0) {
     ToolPoses poses;
     fromBytes(state[7], poses);
@@ -194,7 +191,7 @@ addPath(py::module_& module)
       .def_property_readonly("warnings", [](const Path& path) { return py::tuple(py::cast(path.warnings)); })
       .def_property_readonly("report_text", [](const Path& path) { return path.report; })
       .def("__len__", [](const Path& path) { return path.points->size(); })
-      .def("save", &save, py::arg("file"))
+      .def("write", &save)
       .def("write_program", &writeProgram)
       .def(py::pickle(&stateOf, &fromState));
 }

@@ -53,23 +53,14 @@ viewOf(const std::shared_ptr<Owner>& owner, const Number* first, std::size_t siz
 }
 
 /** \p path as a program, CLDATA or robot frames; what is reported of it. */
-py::dict writeProgram(const Path& path, const py::object& file, const py::dict& given);
+py::dict writeProgram(const Path& path, const std::string& file, const py::dict& given);
 
-/** The keywords of the calls by the names of these. */
-py::list keywordsOf(const std::string& function);
-
-void addPath(py::module_& module);
-void addPlanning(py::module_& module);
-void addPrograms(py::module_& module);
-void addVerification(py::module_& module);
-
-/** Their keywords.
+/** Adds to \p module its classes and calls, and to \p tables the keywords of each call.
  *  @{ */
-py::list spiralKeywords();
-py::list driveKeywords();
-py::list ridgeKeywords();
-py::list programKeywords();
-py::list verifyKeywords();
+void addPath(py::module_& module);
+void addPlanning(py::module_& module, py::dict& tables);
+void addPrograms(py::dict& tables);
+void addVerification(py::module_& module, py::dict& tables);
 /** @} */
 
 } // namespace pcl_spiral::python

@@ -2,75 +2,18 @@
 // spiral(), drive() and ridge(): keywords, planner, path.
 #include "parts.h"
 #include "path.h"
-#include "running.h"
 
-#include "io/report/moved_places.h"
-#include "io/setting_names.h"
+#include "planning/input_tables.h"
 #include "planning/pass_defaults.h"
 #include <pcl_spiral/io/pass_report_writer.h>
-#include <pcl_spiral/io/report_writer.h>
 #include <pcl_spiral/planning/drive_planner.h>
 #include <pcl_spiral/planning/ridge_planner.h>
 #include <pcl_spiral/planning/spiral_planner.h>
 
-#include <algorithm>
 #include <filesystem>
 
 namespace pcl_spiral::python {
 namespace {
-
-const std::vector<Input> holder_input{
-    {"holder",
-     "Sequence[Sequence[float]]",
-     "shank and holder above the flank, upwards: (radius, length) or (lower radius, upper radius, length)",
-     {"setHolder", "PassSettings::holder"}}};
-
-/** A place of the user in the coordinates of the cloud. */
-void
-intoCloud(std::optional<Eigen::Vector3d>& place, const Eigen::Vector3d& shift)
-{
-  if (place)
-    *place -= shift;
-}
-
-/** Settings that all calls share, and the scan. */
-struct Call {
-  GivenUnits units;
-  SurfaceSettings surface; ///< of drive and ridge
-  Words words;
-  GivenScan scan;
-
-  void read(const py::object& points, const Keywords& keywords, const std::optional<Eigen::Vector3d>& view_point,
-            const std::string& normals = "normals")
-  {
-    words.vocabulary = keywords.vocabulary();
-    words.vocabulary.words.insert(
-        {{"setInputCloud", "points"}, {"ScannedSurface", "scan"}, {"Scale it to mm", "Give its unit=, or scale it to mm"}});
-    if (!points.is_none())
-      scan = scanOf(points, keywords, units, words, normals);
-    words.shift = scan.shift;
-    words.vocabulary = movedBy(scan.shift, words.vocabulary);
-    if (scan.mesh)
-      words.vocabulary.words.insert({{"scan", "mesh"}, {"cloud", "mesh"}, {"scanned surface", "surface"}, {"on the scan", "on the mesh"}});
-    scan.asked_view_point = view_point;
-    intoCloud(scan.asked_view_point, scan.shift);
-  }
-
-  ReadOptions beside() const { return units.options(scan.shift); }
-
-  std::string title() const { return scan.name.empty() ? "points" : std::filesystem::path(scan.name).filename().string(); }
-
-  RunFiles files() const
-  {
-    RunFiles files{scan.name, units.unit, units.origin.value_or(Eigen::Vector3d::Zero()), {}, {}};
-    files.shift = scan.shift;
-    files.words = words.vocabulary;
-    files.words.place = nullptr; // the writer moves places
-    return files;
-  }
-
-  std::vector<std::string> texts(const Diagnostics& warnings) const { return textsOf(warnings, words.vocabulary); }
-};
 
 /** The last plan of \p planner, which lives as long. */
 template <typename Plan, typename Planner>
@@ -80,18 +23,6 @@ planOf(const std::shared_ptr<Planner>& planner)
   return {planner, &planner->getPlan()};
 }
 
-template <typename Planner>
-void
-compute(const std::shared_ptr<Planner>& planner, const Keywords& keywords, const Words& words)
-{
-  const Run run(keywords["progress"]);
-  planner->setQuiet(true);
-  planner->setProgressCallback(run.progress());
-  run([planner] { planner->compute(); });
-  planner->setProgressCallback(nullptr);
-  require(planner->getStatus(), words);
-}
-
 Diagnostics
 joined(Diagnostics first, const Diagnostics& second)
 {
@@ -99,153 +30,106 @@ joined(Diagnostics first, const Diagnostics& second)
   return first;
 }
 
+/** For comments in programs. */
+std::string
+titleOf(const GivenScan& scan)
+{
+  return scan.name.empty() ? "points" : std::filesystem::path(scan.name).filename().string();
+}
+
 struct SpiralCall : Call {
   SpiralSettings settings;
-  double flank_length = 0.0, holder_clearance = 0.0, sample_spacing = 0.0;
-  bool accept_collisions = false, ball_closing = false;
-  Keywords keywords{
-      "spiral",
-      settingTable(settings) +
-          std::vector<Setting>{
-              Setting("flank_length", "setFlankLength", "flank length", "length of the shank from the centre of the ball up to the holder",
-                      "20", flank_length)
-                  .in("mm", NumberRange::from(0.0))
-                  .zeroFor("none"),
-              Setting("holder_clearance", "setHolderClearance", "clearance of the holder", "least distance between holder and scan", "1",
-                      holder_clearance)
-                  .in("mm", NumberRange::from(0.0)),
-              Setting("accept_collisions", "setAcceptCollisions", "accepted collisions", "collisions of shank and holder are only warnings",
-                      "", accept_collisions),
-              Setting("ball_closing", "setBallClosing", "closing by the ball",
-                      "for a scan from one side with steps, folds and overhangs: plan over what the ball can touch", "", ball_closing),
-              Setting("sample_spacing", "setSampleSpacing", "sample spacing", "spacing of the samples of a mesh", "0.5", sample_spacing)
-                  .in("mm", NumberRange::from(0.0))
-                  .zeroFor("the spacing found from curvature and step-over")} +
-          units.table(),
-      partInputs() + holder_input + progress_input};
+  PlanInput input; ///< beside the settings
+  Keywords keywords{"spiral", settingTable(settings) + settingTable(input) + units.table(), partInputs() + holder_input + progress_input};
 };
+
+void
+setSpiral(SpiralCall& call, SpiralPlanner<pcl::PointXYZ>& planner)
+{
+  intoCloud(call.settings.centre, call.scan.shift);
+  intoCloud(call.settings.start_point, call.scan.shift);
+  planner.setSettings(call.settings);
+  setPart(call, call.keywords, planner);
+  planner.setHolder(holderOf(call.keywords.list("holder")));
+  planner.setFlankLength(call.input.flank_length);
+  planner.setHolderClearance(call.input.holder_clearance);
+  planner.setAcceptCollisions(call.input.accept_collisions);
+  planner.setBallClosing(call.input.ball_closing);
+  planner.setSampleSpacing(call.input.sample_spacing);
+}
 
 Path
 spiral(const py::object& points, const py::dict& given)
 {
   SpiralCall call;
   call.keywords.take(given);
-  call.read(points, call.keywords, call.settings.view_point);
+  call.read(points, call.keywords, call.settings);
   const auto planner = std::make_shared<SpiralPlanner<pcl::PointXYZ>>();
-  SpiralSettings settings = call.settings;
-  settings.view_point = std::nullopt;
-  for (std::optional<Eigen::Vector3d>* place : {&settings.centre, &settings.start_point, &settings.part_at})
-    intoCloud(*place, call.scan.shift);
-  planner->setSettings(settings);
-  if (call.scan.mesh)
-    planner->setInputMesh(call.scan.mesh);
-  else
-    planner->setInputCloud(call.scan.cloud);
-  call.scan.setSide(*planner, call.scan.name.empty() || call.keywords.isGiven("trust_normals"));
-  setPart(call.keywords, call.beside(), call.scan.shift, call.words, *planner);
-  planner->setHolder(holderOf(call.keywords["holder"]));
-  planner->setFlankLength(call.flank_length);
-  planner->setHolderClearance(call.holder_clearance);
-  planner->setAcceptCollisions(call.accept_collisions);
-  planner->setBallClosing(call.ball_closing);
-  planner->setSampleSpacing(call.sample_spacing);
+  setSpiral(call, *planner);
   compute(planner, call.keywords, call.words);
-
+  const auto plan = planOf<SpiralPlan>(planner);
+  const Diagnostics reading = joined(call.scan.warnings, plan->part.warnings);
   Path path;
-  const SpiralPlan& plan = planner->getPlan();
-  path.points = plan.path;
-  path.motion = {settings.tool_radius, settings.feed, {}, plan.report.pass_begins, call.scan.shift};
-  const Diagnostics reading = joined(call.scan.warnings, plan.part.warnings);
-  RunFiles files = call.files();
-  files.warnings = reading;
-  path.report = reportJSON(files, reportOf(plan));
-  path.warnings = call.texts(joined(reading, plan.report.warnings));
-  path.source = std::make_shared<PathSource>(PathSource{planOf<SpiralPlan>(planner), nullptr, {}, call.title()});
+  path.points = plan->path;
+  path.motion = {call.settings.tool_radius, call.settings.feed, {}, plan->report.pass_begins, call.scan.shift};
+  path.report = reportJSON(call.files(reading), reportOf(*plan));
+  path.warnings = call.texts(joined(reading, plan->report.warnings));
+  path.source = std::make_shared<PathSource>(PathSource{plan, nullptr, {}, titleOf(call.scan)});
   return path;
 }
 
-/** A planner of passes whose settings of the surface can be set at once. */
-template <typename Planner>
-struct OpenPlanner : Planner {
-  void setSurface(const SurfaceSettings& asked, const Eigen::Vector3d& shift)
-  {
-    SurfaceSettings& settings = this->surfaceSettings();
-    const bool strict = settings.strict;
-    settings = asked;
-    settings.strict = strict;
-    settings.view_point = std::nullopt;
-    intoCloud(settings.part_at, shift);
-  }
-};
-
-/** What drive() and ridge() share. */
+/** What drive() and ridge() share. Without a radius of the cutter the tool is a beam. */
 struct PassCall : Call {
-  PassSettings tool;
-  double feed = 1000.0, corner_radius = 0.0;
-  bool leave_out_strays = false;
+  SurfaceSettings surface;
+  double feed = 1000.0;
 
-  /** The cutter; without a radius a beam. */
-  std::vector<Setting> toolTable()
+  std::vector<Setting> passTable(PassSettings& tool)
   {
-    return cutterTable(NumberRange::from(0.0), tool.cutter, corner_radius) +
+    return cutterTable(tool.cutter, NumberRange::from(0.0)) + settingTable(tool) +
            std::vector<Setting>{
-               Setting("feed", "setFeed", "feed", "feed at the contact", "2500", feed).in("mm/min", NumberRange::above(0.0)),
-               Setting("accept_collisions", "setAcceptCollisions", "accepted collisions",
-                       "collisions of shank and holder are only warnings", "", tool.accept_collisions),
-               Setting("leave_out_strays", "setLeaveOutStrays", "left out outliers", "leave out points off the scanned surface", "",
-                       leave_out_strays)};
+               Setting("feed", "setFeed", "feed", "feed at the contact", "2500", feed).in("mm/min", NumberRange::above(0.0))} +
+           without(settingTable(surface), {"neighbours", "alpha"}) + units.table(); // those that planners of passes heed
   }
-
-  /** The settings of the surface that planners of passes heed. */
-  std::vector<Setting> surfaceTable() { return without(settingTable(surface), {"neighbours", "alpha"}); }
 
   AskedSettings asked(const Keywords& keywords) const
   {
     return {keywords.isGiven("rows"), keywords.isGiven("point_spacing"), keywords.isGiven("tolerance"), keywords.isGiven("chord_error")};
   }
 
-  /** The path of \p plan; \p report of its JSON. */
-  Path pathOf(const std::shared_ptr<const PassPlan>& plan, const Diagnostics& warnings, const std::string& report) const
+  Path pathOf(const std::shared_ptr<const PassPlan>& plan, const PassSettings& tool, const Diagnostics& warnings,
+              const std::string& report) const
   {
-    Path path;
     PassPath all = joinedPasses(plan->passes);
-    path.points = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(all.path));
-    path.motion = {tool.cutter.radius, feed, std::move(all.tips), std::move(all.begins), scan.shift};
     ToolPoses poses;
     for (const ToolPoses& pass : plan->passes)
-      for (ToolPose pose : pass) {
-        pose.contact += scan.shift;
-        pose.tip += scan.shift;
-        poses.push_back(pose);
-      }
-    path.poses = std::make_shared<const ToolPoses>(std::move(poses));
-    path.report = report;
-    path.warnings = texts(warnings);
-    path.source = std::make_shared<PathSource>(PathSource{nullptr, plan, tool, title()});
-    return path;
+      poses.insert(poses.end(), pass.begin(), pass.end());
+    for (ToolPose& pose : poses) {
+      pose.contact += scan.shift;
+      pose.tip += scan.shift;
+    }
+    return {pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(all.path)),
+            {tool.cutter.radius, feed, std::move(all.tips), std::move(all.begins), scan.shift},
+            std::make_shared<const ToolPoses>(std::move(poses)),
+            report,
+            texts(warnings),
+            std::make_shared<PathSource>(PathSource{nullptr, plan, tool, titleOf(scan)})};
   }
 };
 
 struct DriveCall : PassCall {
-  DriveSettings drive;
+  DrivePlanInput input;
   MeshSettings mesh;
-  bool gouge_check = true, curve_closed = false;
   std::optional<Eigen::Vector3d> column_axis, column_centre;
   Keywords keywords{
       "drive",
-      toolTable() + settingTable(drive) + settingTable(tool) + settingTable(mesh) + surfaceTable() +
+      passTable(input.tool) + settingTable(input.drive) + settingTable(input) + settingTable(mesh) +
           std::vector<Setting>{
-              Setting("gouge_check", "setGougeCheck", "check of gouges",
-                      "on a mesh: False puts the cutter at the contacts of the sections and looks at nothing else", "", gouge_check),
-              Setting("curve_closed", "setCurve", "closed curve", "the last point of the curve joins the first", "", curve_closed),
               Setting("column_axis", "setCylinder", "axis of the column", "direction that helix and rings go round", "0,0,1", column_axis)
                   .zeroFor("found from the scan"),
               Setting("column_centre", "DriveCylinder::origin", "centre of the column", "a place on that axis", "20,5,0", column_centre)
-                  .zeroFor("0,0,0")} +
-          units.table(),
+                  .zeroFor("0,0,0")},
       partInputs() + holder_input +
-          std::vector<Input>{
-              {"curve", "ArrayLike | str | PathLike[str] | None", "points in order, (N, 3) or a file, for drive='curve'", {}}} +
+          std::vector<Input>{{"curve", "ArrayLike | File | None", "points in order, (N, 3) or a file, for drive='curve'", {}}} +
           progress_input};
 };
 
@@ -254,33 +138,24 @@ using OpenDrivePlanner = OpenPlanner<DrivePlanner<pcl::PointXYZ>>;
 void
 setDrive(DriveCall& call, OpenDrivePlanner& planner)
 {
+  DriveSettings& drive = call.input.drive;
   const bool on_mesh = call.scan.mesh != nullptr;
-  completeCutter(call.keywords, call.corner_radius, call.words, call.tool.cutter);
-  DriveSettings& drive = call.drive;
-  completeDrive(call.asked(call.keywords), call.tool, on_mesh, drive);
+  completeCutter(call.keywords, call.words, call.input.tool.cutter);
+  completeDrive(call.asked(call.keywords), call.input.tool, on_mesh, drive);
   if (call.column_axis)
     drive.cylinder = DriveCylinder{call.column_centre.value_or(Eigen::Vector3d::Zero()) - call.scan.shift, *call.column_axis};
-  if (const py::object curve = call.keywords["curve"]; !curve.is_none())
-    drive.curve = lineOf("curve", curve, call.beside(), call.words);
-  drive.curve_closed = call.curve_closed;
-  if (on_mesh) {
-    call.surface.flip_normals = false; // the mesh is turned
-    planner.setInputMesh(call.scan.mesh);
-  }
-  else
-    planner.setInputCloud(call.scan.cloud);
-  planner.setSurface(call.surface, call.scan.shift);
-  if (!on_mesh || call.scan.normals || call.scan.asked_view_point)
-    call.scan.setSide(planner, call.scan.name.empty() || call.keywords.isGiven("trust_normals"));
-  setPart(call.keywords, call.beside(), call.scan.shift, call.words, planner);
-  planner.setHolder(holderOf(call.keywords["holder"]));
+  drive.curve = lineOf(call.keywords["curve"], call.beside(), call.words);
+  call.surface.flip_normals = call.surface.flip_normals && !on_mesh; // the mesh is turned
+  planner.setSurface(call.surface);
+  setPart(call, call.keywords, planner);
+  planner.setHolder(holderOf(call.keywords.list("holder")));
   planner.setSettings(drive);
-  planner.setPassSettings(call.tool);
+  planner.setPassSettings(call.input.tool);
   planner.setMeshSettings(call.mesh);
-  planner.setHolderClearance(call.tool.holder_clearance);
-  planner.setAcceptCollisions(call.tool.accept_collisions);
-  planner.setLeaveOutStrays(call.leave_out_strays);
-  planner.setGougeCheck(call.gouge_check);
+  planner.setHolderClearance(call.input.tool.holder_clearance);
+  planner.setAcceptCollisions(call.input.tool.accept_collisions);
+  planner.setLeaveOutStrays(call.input.leave_out_strays);
+  planner.setGougeCheck(call.input.check_gouges);
 }
 
 Path
@@ -288,36 +163,30 @@ drive(const py::object& points, const py::dict& given)
 {
   DriveCall call;
   call.keywords.take(given);
-  call.read(points, call.keywords, call.surface.view_point);
+  call.read(points, call.keywords, call.surface);
   const auto planner = std::make_shared<OpenDrivePlanner>();
   setDrive(call, *planner);
   compute(planner, call.keywords, call.words);
   const auto plan = planOf<PassPlan>(planner);
-  const DriveRun run{{call.tool, call.feed, std::nullopt}, call.drive, call.gouge_check, call.surface.largest_part, call.surface.thinning};
-  RunFiles files = call.files();
-  files.warnings = joined(call.scan.warnings, plan->chosen.warnings);
-  return call.pathOf(plan, joined(files.warnings, plan->warnings), driveReportJSON(files, run, *plan));
+  const DriveRun run{{call.input.tool, call.feed, std::nullopt},
+                     call.input.drive,
+                     call.input.check_gouges,
+                     call.surface.largest_part,
+                     call.surface.thinning};
+  const Diagnostics reading = joined(call.scan.warnings, plan->chosen.warnings);
+  return call.pathOf(plan, call.input.tool, joined(reading, plan->warnings), driveReportJSON(call.files(reading), run, *plan));
 }
 
 struct RidgeCall : PassCall {
-  RidgeSettings ridge;
-  RidgeRowSettings rows;
-  bool closed = false;
-  double half_width = 0.0;
+  RidgePlanInput input;
   Keywords keywords{
       "ridge",
-      toolTable() + settingTable(rows) + settingTable(ridge) + settingTable(tool) +
-          without(surfaceTable(), {"flip_normals", "part_at", "clusters"}) +
-          std::vector<Setting>{
-              Setting("half_width", "setHalfWidth", "half width", "of the ridge in the scan, from its crest to each side", "12", half_width)
-                  .in("mm", NumberRange::from(0.0)),
-              Setting("closed", "setClosed", "closed ridge", "the ridge in the scan is a ring", "", closed)} +
-          units.table(),
-      std::vector<Input>{
-          {"scan_normals", "ArrayLike | None", "(N, 3), one a point of the scan, out of the material", {"setInputNormals"}},
-          {"rail", "ArrayLike | str | PathLike[str] | None", "points measured along the ridge, in any order", {"setMeasuredLines"}},
-          {"generator", "ArrayLike | str | PathLike[str] | None", "points measured once across it", {}},
-          {"through", "ArrayLike | str | PathLike[str] | None", "rough points on the ridge in the scan, in order", {"setRoughPoints"}}} +
+      settingTable(input.rows) + settingTable(input.ridge) + without(passTable(input.tool), {"flip_normals", "part_at", "clusters"}) +
+          settingTable(input),
+      std::vector<Input>{{"scan_normals", "ArrayLike | None", "(N, 3), one a point of the scan, out of the material", {"setInputNormals"}},
+                         {"rail", "ArrayLike | File | None", "points measured along the ridge, in any order", {"setMeasuredLines"}},
+                         {"generator", "ArrayLike | File | None", "points measured once across it", {}},
+                         {"through", "ArrayLike | File | None", "rough points on the ridge in the scan, in order", {"setRoughPoints"}}} +
           holder_input + progress_input};
 };
 
@@ -326,72 +195,53 @@ using OpenRidgePlanner = OpenPlanner<RidgePlanner<pcl::PointXYZ>>;
 void
 setRidge(RidgeCall& call, OpenRidgePlanner& planner)
 {
-  completeCutter(call.keywords, call.corner_radius, call.words, call.tool.cutter);
-  completeRidge(call.asked(call.keywords), call.tool, call.rows);
-  call.tool.holder = holderOf(call.keywords["holder"]);
+  RidgePlanInput& input = call.input;
+  completeCutter(call.keywords, call.words, input.tool.cutter);
+  completeRidge(call.asked(call.keywords), input.tool, input.rows);
+  input.tool.holder = holderOf(call.keywords.list("holder"));
   if (!call.scan.cloud->empty())
     planner.setInputCloud(call.scan.cloud);
-  planner.setSurface(call.surface, call.scan.shift);
-  call.scan.setSide(planner, call.scan.name.empty() || call.keywords.isGiven("trust_normals"));
-  const auto line = [&call](const char* name) {
-    const py::object given = call.keywords[name];
-    return given.is_none() ? Polyline() : lineOf(name, given, call.beside(), call.words);
-  };
+  planner.setSurface(call.surface);
+  call.scan.setSide(planner);
+  const auto line = [&call](const char* name) { return lineOf(call.keywords[name], call.beside(), call.words); };
   planner.setMeasuredLines(line("rail"), line("generator"));
   planner.setRoughPoints(line("through"));
-  planner.setClosed(call.closed);
-  planner.setHalfWidth(call.half_width);
-  planner.setRidgeSettings(call.ridge);
-  planner.setRowSettings(call.rows);
-  planner.setPassSettings(call.tool);
-  planner.setNumberOfThreads(call.tool.threads);
-  planner.setLeaveOutStrays(call.leave_out_strays);
+  planner.setClosed(input.closed);
+  planner.setHalfWidth(input.half_width);
+  planner.setRidgeSettings(input.ridge);
+  planner.setRowSettings(input.rows);
+  planner.setPassSettings(input.tool);
+  planner.setLeaveOutStrays(input.leave_out_strays);
 }
 
 Path
 ridge(const py::object& points, const py::dict& given)
 {
   RidgeCall call;
-  call.scan.cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   call.keywords.take(given);
-  call.read(points, call.keywords, call.surface.view_point, "scan_normals");
+  call.read(points, call.keywords, call.surface, "scan_normals");
   const auto planner = std::make_shared<OpenRidgePlanner>();
   setRidge(call, *planner);
   compute(planner, call.keywords, call.words);
+  const RidgePlanInput& input = call.input;
   const RidgePlan& plan = planner->getPlan();
   const RidgeRun run{
-      {call.tool, call.feed, std::nullopt}, "", "", call.ridge, call.rows, planner->getRoughPoints(), call.half_width, call.closed};
-  RunFiles files = call.files();
-  files.warnings = call.scan.warnings;
-  return call.pathOf(planOf<PassPlan>(planner), joined(files.warnings, plan.warnings), ridgeReportJSON(files, run, plan, plan));
+      {input.tool, call.feed, std::nullopt}, "", "", input.ridge, input.rows, planner->getRoughPoints(), input.half_width, input.closed};
+  return call.pathOf(planOf<PassPlan>(planner), input.tool, joined(call.scan.warnings, plan.warnings),
+                     ridgeReportJSON(call.files(call.scan.warnings), run, plan, plan));
 }
 
 } // namespace
 
-py::list
-spiralKeywords()
-{
-  return SpiralCall().keywords.table();
-}
-
-py::list
-driveKeywords()
-{
-  return DriveCall().keywords.table();
-}
-
-py::list
-ridgeKeywords()
-{
-  return RidgeCall().keywords.table();
-}
-
 void
-addPlanning(py::module_& module)
+addPlanning(py::module_& module, py::dict& tables)
 {
   module.def("spiral", &spiral);
   module.def("drive", &drive);
   module.def("ridge", &ridge);
+  tables["spiral"] = SpiralCall().keywords.table();
+  tables["drive"] = DriveCall().keywords.table();
+  tables["ridge"] = RidgeCall().keywords.table();
 }
 
 } // namespace pcl_spiral::python

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Programs of machines, CLDATA and robot frames of a path.
+#include "parts.h"
 #include "path.h"
-#include "running.h"
 
 #include "io/byte_file.h"
 #include "io/post/plan_program.h"
 #include "io/post/post_check.h"
+#include "io/report/moved_places.h"
 #include "io/setting_names.h"
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/machine_reader.h>
@@ -26,60 +27,32 @@ struct ProgramCall {
   RobotZ robot_z = RobotZ::Axis;
   Keywords keywords{
       "program",
-      settingTable(settings) +
-          std::vector<Setting>{
-              Setting("dialect", "Dialect", "language", "of a .nc; a .ngc is for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain",
-                      "siemens", dialect),
-              Setting("tool", "ProgramHeader::tool", "tool number", "number of the tool to call", "3", header.tool)
-                  .in("", NumberRange::from(0.0))
-                  .zeroFor("none"),
-              Setting("spindle", "ProgramHeader::spindle_speed", "spindle speed", "the program starts the spindle", "12000",
-                      header.spindle_speed)
-                  .in("rev/min", NumberRange::from(0.0))
-                  .zeroFor("none"),
-              Setting("spindle_direction", "ProgramHeader::spindle_direction", "turning direction", "of the spindle", "ccw",
-                      header.spindle_direction),
-              Setting("coolant", "ProgramHeader::coolant", "coolant", "from start to end", "flood", header.coolant),
-              Setting("feed_mode", "FeedMode", "feed mode", "F of blocks that turn rotary axes", "per-minute", header.feed_mode),
-              Setting("smoothing", "ProgramHeader::smoothing", "smoothing", "tolerance of the control's own smoothing; 0: exact stop",
-                      "0.01", smoothing)
-                  .in("mm", NumberRange::from(0.0))
-                  .zeroFor("the chord error"),
-              Setting("line_numbers", "ProgramHeader::line_step", "step of line numbers", "N10 N20 for 10", "10", header.line_step)
-                  .in("", NumberRange::from(0.0).upTo(1000.0))
-                  .zeroFor("none"),
-              Setting("decimals", "ProgramHeader::decimals", "decimals", "of mm and degrees", "3", header.decimals)
-                  .in("", NumberRange::from(3.0).upTo(6.0)),
-              Setting("robot_z", "RobotZ", "z of robot frames", "along the tool axis at the tip, or along the normal at the contact",
-                      "normal", robot_z)},
-      {{"machine", "str | PathLike[str] | None", "machine file in YAML: axes, limits, rates", {"setMachine"}},
-       {"work_offset", "str", "work offset in the words of the control, such as G55", {"ProgramHeader::work_offset"}},
-       {"pass_begin", "str", "a line before each pass, such as M62 P0", {"ProgramHeader::pass_begin"}},
-       {"pass_end", "str", "a line after each pass, such as M63 P0", {"ProgramHeader::pass_end"}},
-       {"block_tolerance",
-        "tuple[float, float]",
-        "largest distance of machine moves from the path: mm of the tip, degrees of the axis",
-        {}},
-       {"thin_blocks", "tuple[float, float]", "leave out blocks that change the path by less: mm, degrees", {}},
-       {"progress", "Progress | None", "called with the share done and the name of the stage; return False to cancel, or raise", {}}}};
+      settingTable(settings) + settingTable(header) +
+          std::vector<Setting>{Setting("dialect", "Dialect", "language",
+                                       "of a .nc; a .ngc is for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain", "siemens", dialect),
+                               Setting("smoothing", "ProgramHeader::smoothing", "smoothing",
+                                       "tolerance of the control's own smoothing; 0: exact stop", "0.01", smoothing)
+                                   .in("mm", NumberRange::from(0.0))
+                                   .zeroFor("the chord error"),
+                               Setting("robot_z", "RobotZ", "z of robot frames",
+                                       "along the tool axis at the tip, or along the normal at the contact", "normal", robot_z)},
+      std::vector<Input>{{"machine", "File | None", "machine file in YAML: axes, limits, rates", {"setMachine"}},
+                         {"work_offset", "str", "work offset in the words of the control, such as G55", {"ProgramHeader::work_offset"}},
+                         {"pass_begin", "str", "a line before each pass, such as M62 P0", {"ProgramHeader::pass_begin"}},
+                         {"pass_end", "str", "a line after each pass, such as M63 P0", {"ProgramHeader::pass_end"}},
+                         {"block_tolerance",
+                          "tuple[float, float] | None",
+                          "largest distance of machine moves from the path: mm of the tip, degrees of the axis",
+                          {}},
+                         {"thin_blocks", "tuple[float, float] | None", "leave out blocks that change the path by less: mm, degrees", {}}} +
+          progress_input};
 
   BlockTolerance tolerance(const char* name, const BlockTolerance& default_value) const
   {
     const py::object given = keywords[name];
-    if (given.is_none())
-      return default_value;
-    if (!py::isinstance<py::sequence>(given) || py::len(given) != 2)
-      raiseType(Diagnostic(name, "= takes mm for the tip and degrees for the axis, such as (0.005, 0.1)"));
-    return {numberFrom(name, given[py::int_(0)]), degree * numberFrom(name, given[py::int_(1)])};
+    return given.is_none() ? default_value : BlockTolerance{given[py::int_(0)].cast<double>(), degree * given[py::int_(1)].cast<double>()};
   }
-
-  std::string text(const char* name) const
-  {
-    const py::object given = keywords[name];
-    if (!given.is_none() && !py::isinstance<py::str>(given))
-      raiseType(Diagnostic(name, "= takes a text, such as 'G55'"));
-    return given.is_none() ? std::string() : given.cast<std::string>();
-  }
+  std::string text(const char* name) const { return keywords.isGiven(name) ? keywords[name].cast<std::string>() : std::string(); }
 };
 
 /** The planner for \p path, and what the program says of it. */
@@ -93,19 +66,6 @@ setPlan(const Path& path, ProgramPlanner& planner)
   }
   planner.setInputPlan(*source.passes);
   return programTexts(source.tool, path.motion.feed, source.title);
-}
-
-template <typename Made>
-Made
-compute(const std::shared_ptr<ProgramPlanner>& planner, const Keywords& keywords, const Words& words)
-{
-  const Run run(keywords["progress"]);
-  const auto made = std::make_shared<Made>();
-  planner->setQuiet(true);
-  planner->setProgressCallback(run.progress());
-  run([planner, made] { planner->compute(*made); });
-  require(planner->getStatus(), words);
-  return std::move(*made);
 }
 
 /** Machine and header of a program \p file, checked. */
@@ -138,13 +98,14 @@ writeMoves(const Path& path, const std::string& file, const ProgramCall& call, c
   const auto planner = std::make_shared<ProgramPlanner>();
   const ProgramTexts texts = setPlan(path, *planner);
   planner->setSettings(call.settings);
-  const auto moves = compute<std::vector<ToolMoves>>(planner, call.keywords, words);
+  const auto moves = std::make_shared<std::vector<ToolMoves>>();
+  compute(planner, call.keywords, words, moves);
   const PathSource& source = *path.source;
   writeOne(file, words, [&](const std::string& temporary) {
     if (lowerExtension(file) == ".yaml")
-      return writeRobotFrames(temporary, moves, call.robot_z);
+      return writeRobotFrames(temporary, *moves, call.robot_z);
     const AptCutter cutter = source.spiral ? ballCutter(path.motion.tool_radius) : aptCutter(CutterProfile(source.tool.cutter));
-    writeAPT(temporary, moves,
+    writeAPT(temporary, *moves,
              {texts.title, cutter, call.header.spindle_speed, call.header.spindle_direction, call.header.coolant, call.header.tool});
   });
   return py::dict(py::arg("file") = file, py::arg("warnings") = textsOf(planner->getWarnings(), words.vocabulary));
@@ -153,62 +114,59 @@ writeMoves(const Path& path, const std::string& file, const ProgramCall& call, c
 py::dict
 writeBlocks(const Path& path, const std::string& file, const ProgramCall& call, const Words& words)
 {
-  const std::string machine_file = fileOf(call.keywords["machine"]).value_or("");
+  const std::string machine_file = call.text("machine");
   const Dialect language = dialectOfExtension(lowerExtension(file)).value_or(call.dialect.value_or(Dialect::LinuxCNC));
   const Machine machine = machineOf(call, file, machine_file, language, words);
   const auto planner = std::make_shared<ProgramPlanner>();
   const ProgramTexts texts = setPlan(path, *planner);
   planner->setMachine(machine);
   planner->setSettings(call.settings);
-  const auto program = compute<MachineProgram>(planner, call.keywords, words);
+  const auto program = std::make_shared<MachineProgram>();
+  compute(planner, call.keywords, words, program);
   Diagnostics warnings = spindleWarnings(file, machine, call.header);
   if (machine_file.empty())
     warnings.push_back(noMachineWarning());
   warnings.insert(warnings.end(), planner->getWarnings().begin(), planner->getWarnings().end());
   writeOne(file, words, [&](const std::string& temporary) {
-    pcl_spiral::writeProgram(temporary, program, language, headerOf(call.header, texts, machine_file, call.smoothing));
+    pcl_spiral::writeProgram(temporary, *program, language, headerOf(call.header, texts, machine_file, call.smoothing));
   });
-  return py::dict(py::arg("file") = file, py::arg("blocks") = program.blocks.size(), py::arg("minutes") = program.report.minutes,
+  return py::dict(py::arg("file") = file, py::arg("blocks") = program->blocks.size(), py::arg("minutes") = program->report.minutes,
                   py::arg("warnings") = textsOf(warnings, words.vocabulary));
 }
 
 } // namespace
 
 py::dict
-writeProgram(const Path& path, const py::object& target, const py::dict& given)
+writeProgram(const Path& path, const std::string& file, const py::dict& given)
 {
-  const std::optional<std::string> file = fileOf(target);
-  if (!file)
-    raiseType("program() takes the name of a file, such as part.ngc");
   ProgramCall call;
   call.keywords.take(given);
-  const Words words{call.keywords.vocabulary(), path.motion.origin};
+  const Words words{movedBy(path.motion.origin, call.keywords.vocabulary()), path.motion.origin};
   call.settings.feed = path.motion.feed;
   call.settings.block = call.tolerance("block_tolerance", call.settings.block);
   call.settings.thinning = call.tolerance("thin_blocks", call.settings.thinning);
   call.header.work_offset = call.text("work_offset");
   call.header.pass_begin = call.text("pass_begin");
   call.header.pass_end = call.text("pass_end");
-  const std::string extension = lowerExtension(*file);
+  const std::string extension = lowerExtension(file);
   const bool has_moves = extension == ".yaml" || extension == ".apt" || extension == ".cls";
   if (!has_moves && !isProgramExtension(extension))
-    raise(
-        "invalid-argument",
-        Diagnostic(*file, ": the extension '", extension, "' is not known; use .ngc .nc .mpf .h .apt .cls or .yaml, and save() for paths"),
-        words);
+    raise("invalid-argument",
+          Diagnostic(file, ": the extension '", extension, "' is not known; use .ngc .nc .mpf .h .apt .cls or .yaml, and save() for paths"),
+          words);
   if (!path.source)
     raise("invalid-argument",
           "an unpickled path has no scan, by which the leads of a program are checked: make the path again, and its program at once",
           words);
   if (extension != ".yaml" && has_moves && path.source->passes && !(path.source->tool.cutter.radius > 0.0))
-    raise("invalid-argument", Diagnostic(*file, ": this format needs a cutter, and the tool is a beam; use .yaml or a program"), words);
-  return has_moves ? writeMoves(path, *file, call, words) : writeBlocks(path, *file, call, words);
+    raise("invalid-argument", Diagnostic(file, ": this format needs a cutter, and the tool is a beam; use .yaml or a program"), words);
+  return has_moves ? writeMoves(path, file, call, words) : writeBlocks(path, file, call, words);
 }
 
-py::list
-programKeywords()
+void
+addPrograms(py::dict& tables)
 {
-  return ProgramCall().keywords.table();
+  tables["program"] = ProgramCall().keywords.table();
 }
 
 } // namespace pcl_spiral::python

@@ -2,11 +2,10 @@
 // verify(): a path or a program, judged by the scan.
 #include "parts.h"
 #include "path.h"
-#include "running.h"
 
 #include "io/byte_file.h"
-#include "io/report/moved_places.h"
 #include "io/setting_names.h"
+#include "planning/input_tables.h"
 #include <pcl_spiral/io/machine_reader.h>
 #include <pcl_spiral/io/program_reader.h>
 #include <pcl_spiral/io/toolpath_reader.h>
@@ -15,36 +14,23 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
-
 namespace pcl_spiral::python {
 namespace {
 
-/** A verifier whose settings of the surface can be set at once. */
-struct OpenVerifier : PathVerifier<pcl::PointXYZ> {
-  using PathVerifier<pcl::PointXYZ>::surfaceSettings;
-};
+using OpenVerifier = OpenPlanner<PathVerifier<pcl::PointXYZ>>;
 
-struct VerifyCall {
-  GivenUnits units;
+struct VerifyCall : Call {
   JudgeSettings judge;
-  SurfaceSettings surface;
+  SurfaceSettings surface = OpenVerifier().getSurface();
   MeshSettings mesh;
   Limits limits;
-  double corner_radius = 0.0;
   std::optional<Dialect> dialect;
-  Words words;
-  GivenScan scan;
-
-  VerifyCall() { surface.clusters = ClusterHandling::Ride; }
-
   Keywords keywords{"verify",
-                    cutterTable(NumberRange::above(0.0), judge.cutter, corner_radius) + settingTable(judge) + settingTable(limits) +
-                        settingTable(mesh) + without(settingTable(surface), {"neighbours", "alpha"}) + units.table() +
+                    cutterTable(judge.cutter, NumberRange::above(0.0)) + settingTable(judge) + settingTable(limits) + settingTable(mesh) +
+                        without(settingTable(surface), {"neighbours", "alpha"}) + units.table() +
                         std::vector<Setting>{Setting("dialect", "Dialect", "language",
                                                      "of a program .nc; found from its words if it is not given", "siemens", dialect)},
-                    partInputs() +
-                        std::vector<Input>{{"machine", "str | PathLike[str] | None", "machine file of a program", {"setMachine"}}} +
+                    partInputs() + std::vector<Input>{{"machine", "File | None", "machine file of a program", {"setMachine"}}} +
                         progress_input};
 };
 
@@ -72,10 +58,11 @@ giveFile(const std::string& file, const VerifyCall& call, OpenVerifier& verifier
 {
   const std::string extension = lowerExtension(file);
   if (isProgramExtension(extension) || extension == ".apt" || extension == ".cls") {
-    const std::optional<std::string> machine = fileOf(call.keywords["machine"]);
-    if (!machine && isProgramExtension(extension))
+    const py::object machine = call.keywords["machine"];
+    if (machine.is_none() && isProgramExtension(extension))
       raise("invalid-argument", Diagnostic(file, ": a program has the axes of a machine; give its file ({setMachine})"), call.words);
-    verifier.setInputProgram(readProgram(file, machine ? std::optional(readMachine(*machine)) : std::nullopt, call.dialect));
+    verifier.setInputProgram(
+        readProgram(file, machine.is_none() ? std::nullopt : std::optional(readMachine(machine.cast<std::string>())), call.dialect));
     return;
   }
   ToolpathFile read = readToolpath(file, call.scan.shift);
@@ -100,43 +87,22 @@ resultOf(const VerifyCall& call, OpenVerifier& verifier, std::vector<Verificatio
     deviation.append(py::array_t<float>(static_cast<py::ssize_t>(heights.deviation.size()), heights.deviation.data()));
     stock.append(py::array_t<float>(static_cast<py::ssize_t>(heights.stock.size()), heights.stock.data()));
   }
-  VerificationRun run;
-  run.scan = call.scan.name;
-  run.unit = call.units.unit;
-  run.cutter = call.judge.cutter;
-  run.scallop_height = call.judge.scallop_height;
-  run.chord_error = call.judge.chord_error;
-  run.warnings = call.scan.warnings;
-  run.limits = call.limits;
-  run.shift = call.scan.shift;
-  run.words = vocabulary;
-  run.words.place = nullptr; // the writer moves places
+  const RunFiles files = call.files(call.scan.warnings);
+  VerificationRun run{
+      files.scan,   files.unit,  call.judge.cutter, call.judge.scallop_height, call.judge.chord_error, files.warnings, call.limits,
+      std::nullopt, files.shift, files.words};
   return py::dict(py::arg("report_text") = verificationsJSON(run, found), py::arg("broken") = py::tuple(py::cast(broken)),
                   py::arg("warnings") = py::tuple(py::cast(warnings)), py::arg("deviation") = py::tuple(deviation),
                   py::arg("stock") = py::tuple(stock));
 }
 
 void
-setPart(VerifyCall& call, OpenVerifier& verifier)
+setJudge(VerifyCall& call, OpenVerifier& verifier)
 {
-  const bool on_mesh = call.scan.mesh != nullptr;
-  if (on_mesh) {
-    call.surface.flip_normals = false; // the mesh is turned
-    verifier.setInputMesh(call.scan.mesh);
-  }
-  else
-    verifier.setInputCloud(call.scan.cloud);
+  call.surface.flip_normals = call.surface.flip_normals && !call.scan.mesh; // the mesh is turned
+  verifier.setSurface(call.surface);
+  setPart(call, call.keywords, verifier);
   verifier.setMeshSettings(call.mesh);
-  call.scan.asked_view_point = call.surface.view_point;
-  for (std::optional<Eigen::Vector3d>* place : {&call.scan.asked_view_point, &call.surface.part_at})
-    if (*place)
-      **place -= call.scan.shift;
-  call.surface.view_point = std::nullopt;
-  call.surface.strict = verifier.surfaceSettings().strict;
-  verifier.surfaceSettings() = call.surface;
-  if (!on_mesh || call.scan.normals || call.scan.asked_view_point)
-    call.scan.setSide(verifier, call.scan.name.empty() || call.keywords.isGiven("trust_normals"));
-  setPart(call.keywords, call.units.options(call.scan.shift), call.scan.shift, call.words, verifier);
   verifier.setCutter(call.judge.cutter);
   verifier.setScallopHeight(call.judge.scallop_height);
   verifier.setChordError(call.judge.chord_error);
@@ -149,41 +115,27 @@ verify(const py::object& points, const py::object& judged, const py::dict& given
 {
   VerifyCall call;
   call.keywords.take(given);
-  call.words.vocabulary = call.keywords.vocabulary();
-  call.scan = scanOf(points, call.keywords, call.units, call.words);
-  call.words.shift = call.scan.shift;
-  call.words.vocabulary = movedBy(call.scan.shift, call.words.vocabulary);
-  completeCutter(call.keywords, call.corner_radius, call.words, call.judge.cutter);
+  call.read(points, call.keywords, call.surface);
+  completeCutter(call.keywords, call.words, call.judge.cutter);
   const auto verifier = std::make_shared<OpenVerifier>();
-  setPart(call, *verifier);
-  const std::optional<std::string> file = fileOf(judged);
-  if (!file && !py::isinstance<Path>(judged))
-    raiseType("verify() takes a Path, or the file of a path or of a program, as its second argument");
-  if (file)
-    withFiles(call.words, [&] { giveFile(*file, call, *verifier); });
+  setJudge(call, *verifier);
+  const bool is_file = py::isinstance<py::str>(judged);
+  if (is_file)
+    withFiles(call.words, [&] { giveFile(judged.cast<std::string>(), call, *verifier); });
   else
     givePath(judged.cast<const Path&>(), call, *verifier);
-  const Run run(call.keywords["progress"]);
   const auto found = std::make_shared<std::vector<Verification>>();
-  verifier->setQuiet(true);
-  verifier->setProgressCallback(run.progress());
-  run([verifier, found] { verifier->compute(*found); });
-  require(verifier->getStatus(), call.words);
-  return resultOf(call, *verifier, *found, file.value_or(""));
+  compute(verifier, call.keywords, call.words, found);
+  return resultOf(call, *verifier, *found, is_file ? judged.cast<std::string>() : "");
 }
 
 } // namespace
 
-py::list
-verifyKeywords()
-{
-  return VerifyCall().keywords.table();
-}
-
 void
-addVerification(py::module_& module)
+addVerification(py::module_& module, py::dict& tables)
 {
   module.def("verify", &verify);
+  tables["verify"] = VerifyCall().keywords.table();
 }
 
 } // namespace pcl_spiral::python

@@ -236,7 +236,7 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2), "--dialect okuma: must be one of");
   expectHas(said({"-o", "a.ngc", "--machine", "none.yaml"}, 1), "none.yaml: there is no such machine file");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--clearance", "0"}, 2), "--clearance 0: must be above 0 mm");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--decimals", "2"}, 2), "--decimals 2: must be 3 to 6");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--decimals", "2"}, 2), "--decimals 2: must be from 3 to 6");
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--thin-blocks", "1"}, 2), "--thin-blocks 1: give mm for the tip and degrees");
   const std::vector<std::string> on{"--pass-begin", "M62 P0"}, off{"--pass-end", "M63 P0"};
   const auto codes = [&](const std::string& output, std::vector<std::string> begin, const std::vector<std::string>& end) {

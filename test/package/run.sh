@@ -43,12 +43,25 @@ check_tree() { # PREFIX
   [ -z "$found" ] || fail "examples were installed: $found"
 }
 
+check_python() { # PREFIX: the package of Python, if it was built, finds its libraries there
+  [ -d "$build/python/pcl_spiral" ] || return 0
+  PYTHONPATH=$1/lib/python3/dist-packages /usr/bin/python3 -B -c "
+import pcl_spiral, sys
+assert pcl_spiral.__file__.startswith(sys.argv[1]), pcl_spiral.__file__
+libraries = [line.split()[-1] for line in open('/proc/self/maps') if 'libpcl_spiral' in line]
+assert libraries and all(library.startswith(sys.argv[1]) for library in libraries), libraries" "$1" || fail "no package of Python in $1"
+}
+
 cmake --install "$build" --prefix "$scratch/prefix" >/dev/null
 check_tree "$scratch/prefix"
+check_python "$scratch/prefix"
 
 cpack --config "$build/CPackConfig.cmake" -G DEB -B "$scratch/cpack" >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "cpack fails"; }
-dpkg-deb -x "$scratch"/cpack/*.deb "$scratch/deb"
+for package in "$scratch"/cpack/*.deb; do
+  dpkg-deb -x "$package" "$scratch/deb"
+done
 check_tree "$scratch/deb/usr"
+check_python "$scratch/deb/usr"
 
 cmake -G Ninja -S "$source" -B "$scratch/without" -DPCL_SPIRAL_BUILD_VISUALIZATION=OFF -DCMAKE_DISABLE_FIND_PACKAGE_X11=ON \
   >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "the filters do not configure without X11"; }

@@ -12,7 +12,7 @@ import pytest
 from conftest import cap, source
 
 import pcl_spiral
-from pcl_spiral import _core, _stub
+from pcl_spiral import _keywords, _stub
 
 FUNCTIONS = {
     "spiral": lambda **k: pcl_spiral.spiral(CAP, **({"tool_radius": 6, "scallop": 0.5} | k)),
@@ -27,7 +27,7 @@ X = np.linspace(0, 200, 60)
 RAIL = np.column_stack([X, 0 * X, 0.0005 * X * (200 - X)])
 Y = np.linspace(-10, 10, 30)
 ACROSS = np.column_stack([0 * Y + 100, Y, 5 - 0.02 * Y**2])
-ROWS = [(name, row) for name in FUNCTIONS for row in _core.keywords(name) if "default" in row]
+ROWS = [(name, row) for name in FUNCTIONS for row in _keywords.table_of(name) if "text" in row]
 NUMBERS = [(name, row) for name, row in ROWS if row["type"] in ("int", "float", "float | None")]
 
 
@@ -73,8 +73,8 @@ def test_the_default_changes_nothing_and_help_has_all(pair, folder):
     call = getattr(pcl_spiral, name)
     assert row["name"] in inspect.signature(call).parameters
     assert f"    {row['name']}: {row['type']}" in call.__doc__ and row["help"] in call.__doc__
-    if not row["required"]:
-        taken = _core.keywords(name)  # tables are made anew
+    if row["default"] is not ...:
+        taken = _keywords.table_of(name)  # tables are made anew
         assert row == next(r for r in taken if r["name"] == row["name"])
 
 

@@ -2,41 +2,42 @@
 """From a scan to a continuous spiral toolpath. Lengths in mm, angles in degrees."""
 
 from . import _core
+from ._inputs import file_of, scan
 from ._keywords import document
 from ._results import Error, Program, Verification, complete_path
 
 __version__ = _core.__version__
-Path = complete_path(_core.Path)
 
 
 @document
 def spiral(points, **settings):
     """One continuous spiral of a ball cutter over a scan or a mesh, as pcl_spiral_toolpath makes it."""
-    return _core.spiral(points, settings)
+    return _core.spiral(scan(points, settings), settings)
 
 
 @document
 def drive(points, **settings):
     """Passes of any cutter along planes, a helix, rings, a curve or offsets of the boundary, as pcl_spiral_drive makes them."""
-    return _core.drive(points, settings)
+    return _core.drive(scan(points, settings), settings)
 
 
 @document
 def ridge(points=None, **settings):
     """Rows of a beam or a cutter over a ridge from two measured lines, or from a scan, as pcl_spiral_ridge makes them."""
-    return _core.ridge(points, settings)
+    return _core.ridge(scan(points, settings, "scan_normals"), settings)
 
 
 @document
 def program(path, file, **settings):
     """Writes a path as a program (.ngc .nc .mpf .h), CLDATA (.apt .cls) or robot frames (.yaml), with leads clear of the scan."""
-    return Program(**path.write_program(file, settings))
+    return Program(**path.write_program(file_of(file), settings))
 
 
 @document
 def verify(points, path, **settings):
     """Judges a path, or the file of a path or a program, by the scan or the mesh that it is meant for, as pcl_spiral_verify does."""
-    return Verification(**_core.verify(points, path, settings))
+    return Verification(**_core.verify(scan(points, settings), path if isinstance(path, Path) else file_of(path), settings))
 
 
+Path = complete_path(_core.Path, program)
 __all__ = ["Error", "Path", "Program", "Verification", "drive", "program", "ridge", "spiral", "verify"]

@@ -5,46 +5,53 @@ import functools
 import inspect
 
 from . import _core
+from ._inputs import given
 
 
-def default_of(row):
-    """The default as it is typed."""
-    if row.get("required"):
-        return "..."
-    return repr(row.get("default", () if row["type"].startswith("Sequence") else None if "None" in row["type"] else ""))
+def _default(row):
+    """The default as a value of Python; Ellipsis: the keyword must be given."""
+    kind, text = row["type"], row.get("text")
+    if text is None:
+        return () if kind.startswith("Sequence") else None if "None" in kind else ""
+    if kind == "bool":
+        return text == "yes"
+    if kind == "Literal" or text == "":
+        return text or None
+    if kind.startswith("Place"):
+        return tuple(map(float, text.split(",")))
+    number = (int if kind == "int" else float)(text)
+    inside = row["least"] < number < row["most"]
+    at_end = (row["takes_least"] and number == row["least"]) or (row["takes_most"] and number == row["most"])
+    return number if inside or at_end else ...
 
 
-def line_of(row):
+def table_of(function):
+    """One dict for each keyword, with its type and its default."""
+    table = [dict(row) for row in _core.tables[function]]
+    for row in table:
+        row["default"] = _default(row)
+        if row["type"] == "Literal":
+            row["type"] += str(row["words"].split("|")) + (" | None" if row["default"] is None else "")
+    return table
+
+
+def _line(row):
     """One keyword: type, unit, default, range and meaning."""
-    words = [row["type"]]
-    if row.get("unit"):
-        words.append(row["unit"])
-    if row.get("required"):
-        words.append("required")
-    elif "default" in row:
-        default = row["default"]
-        zero = row["zero"] and (default is None or default == 0)
-        words.append(f"default {default_of(row)}" + (f": {row['zero']}" if zero else ""))
-    if row.get("rule"):
+    words = [row["type"], row.get("unit"), "required" if row["default"] is ... else f"default {row['default']!r}"]
+    if row.get("zero") and not row["default"]:
+        words[-1] += f": {row['zero']}"
+    if row["type"].startswith(("int", "float")):
         words.append(row["rule"])
-    return f"    {row['name']}: {', '.join(words)}\n        {row['help']}"
+    return f"    {row['name']}: {', '.join(filter(None, words))}\n        {row['help']}"
 
 
 def document(function):
     """Gives a call its signature and its help."""
-    table = _core.keywords(function.__name__)
+    table = table_of(function.__name__)
     own = [p for p in inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
-    keywords = [
-        inspect.Parameter(
-            row["name"], inspect.Parameter.KEYWORD_ONLY, default=row.get("default", None), annotation=row["type"]
-        )
-        for row in table
-    ]
-
-    @functools.wraps(function)
-    def call(*values, **settings):
-        return function(*values, **settings)
-
+    only = inspect.Parameter.KEYWORD_ONLY
+    keywords = [inspect.Parameter(row["name"], only, default=row["default"], annotation=row["type"]) for row in table]
+    call = functools.wraps(function)(lambda *values, **settings: function(*values, **given(table, settings)))
     call.__signature__ = inspect.Signature(own + keywords)
-    call.__doc__ = function.__doc__ + "\n\nKeywords:\n" + "\n".join(line_of(row) for row in table) + "\n"
+    call.__doc__ = function.__doc__ + "\n\nKeywords:\n" + "\n".join(map(_line, table)) + "\n"
     return call

@@ -3,6 +3,8 @@
 
 import html
 import json
+import os
+import tempfile
 from dataclasses import dataclass
 
 
@@ -51,14 +53,14 @@ class Verification:
         return json.loads(self.report_text)
 
 
+def _save(path, file):
+    """Writes the path as .csv .pcd .ply .vtp .6d .5d, or its report as .json."""
+    path.write(os.fspath(file))
+
+
 def _report(path):
     """Settings, figures, times and warnings, as in the JSON report of the programs."""
     return json.loads(path.report_text)
-
-
-def _program(path, file, **settings):
-    """The same as pcl_spiral.program(path, file, ...)."""
-    return Program(**path.write_program(file, settings))
 
 
 def _repr(path):
@@ -74,9 +76,6 @@ def _repr_html(path):
 
 def _to_vtk(path):
     """A vtkPolyData with one polyline a pass, and the point data of a .vtp. Needs the package vtk."""
-    import os
-    import tempfile
-
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
     with tempfile.TemporaryDirectory() as folder:
@@ -87,12 +86,13 @@ def _to_vtk(path):
         return reader.GetOutput()
 
 
-def complete_path(path):
+def complete_path(path, program):
     """The class of the module with what is written in Python."""
     path.__module__ = "pcl_spiral"
     path.__doc__ = "A path. Arrays have one row a point and are read only; lengths in mm, in the coordinates of the points."
     path.report = property(_report)
-    path.program = _program
+    path.program = program
+    path.save = _save
     path.__repr__ = _repr
     path._repr_html_ = _repr_html
     path.to_vtk = _to_vtk

@@ -131,13 +131,8 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
                 "must be 0.00006 degrees or more");
   requireOption(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
   requireOption(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * in_degrees, "must not be below 0 degrees");
-  const ProgramHeader& header = program.header;
-  requireOption(header.spindle_speed >= 0.0, "spindle", header.spindle_speed, "must be above 0 rev/min");
-  requireOption(header.tool >= 0, "tool", header.tool, "must be above 0");
-  requireOption(header.line_step >= 0 && header.line_step <= 1000, "line-numbers", header.line_step, "must be 1 to 1000");
   requireOption(program.smoothing.value_or(0.0) >= 0.0, "smoothing", program.smoothing.value_or(0.0), "must not be below 0 mm");
-  requireOption(header.decimals >= 3 && header.decimals <= 6, "decimals", header.decimals, "must be 3 to 6");
   checkWords(outputs, given);
   checkOffset(program, outputs);
-  checkCodes(header, std::any_of(outputs.begin(), outputs.end(), isProgram), given);
+  checkCodes(program.header, std::any_of(outputs.begin(), outputs.end(), isProgram), given);
 }

@@ -26,6 +26,7 @@ programOptions(ProgramJob& program)
   pcl_spiral::ProgramSettings& settings = program.settings;
   OptionGroup group{"Program for a machine with five or three axes (.ngc .nc .mpf .h)", {}};
   addSettings(group, settingTable(settings));
+  addSettings(group, settingTable(program.header));
   addOptions(
       group,
       {textOption("machine", "FILE", "machine file in YAML: axes, limits, rates: --machine xyzac.yaml", program.machine_file),
@@ -45,10 +46,6 @@ programOptions(ProgramJob& program)
        tolerance("thin-blocks",
                  "leave out blocks that change the path by less than this, tip and axis; default none: --thin-blocks 0.005,0.1",
                  settings.thinning),
-       numberOption("spindle", "S", "spindle speed, rev/min; default no spindle command: --spindle 12000", program.header.spindle_speed),
-       choiceOption("spindle-direction", "turning direction of the spindle; default cw (M3): --spindle-direction ccw",
-                    program.header.spindle_direction),
-       choiceOption("coolant", "coolant from start to end; default none: --coolant flood", program.header.coolant),
        textOption("work-offset", "OFFSET",
                   "work offset in the words of the control; default G54, on Heidenhain the preset in use: --work-offset G55",
                   program.header.work_offset),
@@ -56,15 +53,6 @@ programOptions(ProgramJob& program)
         "tolerance of the control's own smoothing (G64 P, CYCLE832, CYCL DEF 32); default the chord error, 0: exact stop; path_tolerance "
         "of the machine file goes first: --smoothing 0.01",
         [&program](const std::string& value) { program.smoothing = numberValue("smoothing", value); }},
-       choiceOption("feed-mode",
-                    "F of blocks that turn rotary axes: time of the block, or mm/min of the tip (fanuc, fanuc-ijk, siemens); default "
-                    "inverse-time: --feed-mode per-minute",
-                    program.header.feed_mode),
-       wholeNumberOption("line-numbers", "STEP", "numbers lines N10 N20 ...; default none, Heidenhain always: --line-numbers 10",
-                         program.header.line_step),
-       wholeNumberOption("tool", "N", "number of the tool to call; default none: --tool 3", program.header.tool),
-       wholeNumberOption("decimals", "N", "decimals of mm and degrees in programs, 3 to 6; default 4: --decimals 3",
-                         program.header.decimals),
        textOption("pass-begin", "CODE",
                   "code on its own line at the start of each pass, such as to switch a beam on; default none: "
                   "--pass-begin \"M62 P0\"",

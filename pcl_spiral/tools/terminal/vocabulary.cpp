@@ -3,6 +3,7 @@
 
 #include "scan_places.h"
 
+#include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/planning/pass_plan.h>
 #include <pcl_spiral/ridge/ridge_rows.h>
@@ -27,8 +28,6 @@ constexpr SettingWords settings[] = {
     {"PartRegion", "region"},
     {"setClusterHandling(ClusterHandling::LeaveOut)", "clusters", "--clusters leave-out"},
     {"Dialect", "dialect"},
-    {"ProgramHeader::spindle_speed", "spindle"},
-    {"ProgramHeader::tool", "tool"},
     {"setMachine", "machine"},
     {"setCropBox", "crop"},
     {"addKeepOut", "keep-out"},
@@ -138,6 +137,7 @@ programWords()
   addTable(RidgeSettings(), vocabulary);
   addTable(RidgeRowSettings(), vocabulary);
   addTable(ProgramSettings(), vocabulary);
+  addTable(ProgramHeader(), vocabulary);
   for (const SettingWords& s : settings)
     if (hasOption(s.option))
       vocabulary.words[s.setting] = s.words != nullptr ? s.words : std::string("--") + s.option;

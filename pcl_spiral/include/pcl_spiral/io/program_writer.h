@@ -5,6 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/machine/machine_program.h>
 
 #include <array>
@@ -59,6 +60,9 @@ struct ProgramHeader {
   FeedMode feed_mode = FeedMode::InverseTime;                       ///< of blocks that turn rotary axes
   double smoothing = 0.01; ///< the control may round corners by this, mm, if the machine has no path_tolerance; 0: it stops exactly
 };
+
+/** Numbers and choices of \p header; its smoothing comes with the path, and its texts are not of one kind. */
+std::vector<Setting> settingTable(ProgramHeader& header);
 
 /** Why \p code cannot be a line of its own, with the remedy: it is not one line of
  *  plain characters, it opens a comment, or it ends the program. Empty if it can. */

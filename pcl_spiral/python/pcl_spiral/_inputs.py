@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the user gives, as the module takes it: columns of numbers where they stand, names of files, values of settings."""
+
+import operator
+import os
+
+import numpy as np
+
+from ._results import Error
+
+
+def _refuse(name, value, rule):
+    text = repr(value)
+    raise TypeError(f"{name}={text if len(text) <= 60 else text[:60] + '...'}: {rule}")
+
+
+def _array(name, value):
+    try:
+        return np.asarray(value)
+    except ValueError as error:  # rows of several lengths
+        raise TypeError(f"{name}= is no array of numbers ({error}): give a numpy array of shape (N, 3), or the name of a file") from error
+
+
+def _shape(name, array, remedy):
+    raise Error(f"{name}= has the shape {array.shape}: give {remedy}", f"{name}= has the shape {{name}}: give {remedy}", "invalid-input")
+
+
+def _numbers(name, array):
+    """As float32 or float64 in the order of this machine: itself, or a copy of another type."""
+    if array.dtype.kind not in "fiu":
+        remedy = f"give float32 or float64, such as {name}.astype(float)"
+        raise TypeError(f"{name}= has the type {array.dtype}, which is no number: {remedy}")
+    fits = array.dtype.kind == "f" and array.itemsize in (4, 8) and array.dtype.isnative
+    return array if fits else array.astype(np.float64)
+
+
+def _file(name, value):
+    return os.fspath(value) if isinstance(value, (str, os.PathLike)) else None
+
+
+def file_of(value):
+    """The name of a file."""
+    return _file("file", value) or _refuse("file", value, "must be the name of a file, such as part.csv")
+
+
+def _columns(name, value, fields=("x", "y", "z")):
+    """Three columns of (N, 3), or of a structured array."""
+    array = _array(name, value)
+    names = array.dtype.names
+    if names is None:
+        if array.dtype.kind == "O":
+            _numbers(name, array)
+        if array.ndim != 2 or array.shape[1] != 3:
+            _shape(name, array, "(N, 3), one row a point, or an array with fields x, y and z")
+        return tuple(_numbers(name, column) for column in array.T)
+    for field in fields:
+        if field not in names:
+            raise TypeError(f"{name}= has no field {field}; it has {names}: give fields {', '.join(fields)}")
+    return tuple(_numbers(name, array[field].reshape(-1)) for field in fields)
+
+
+def _normals(name, value):
+    return _columns(name, value, ("nx", "ny", "nz"))
+
+
+def _line(name, value):
+    return _file(name, value) or np.ascontiguousarray(np.column_stack(_columns(name, value)), np.float64)
+
+
+def _polygon(name, value):
+    """A file, corners (N, 2) or (N, 3), or one row: a box or a place."""
+    if _file(name, value):
+        return _file(name, value)
+    array = np.ascontiguousarray(_numbers(name, _array(name, value)), np.float64)
+    row = {"crop": (4, 6), "regions": (3,)}.get(name, ())
+    if not (array.ndim == 1 and len(array) in row) and not (array.ndim == 2 and array.shape[1] in (2, 3)):
+        _shape(name, array, "corners (N, 2) or (N, 3), or a file")
+    return array
+
+
+def _polygons(name, values):
+    return [_polygon(name, value) for value in values]
+
+
+def _holder(name, parts):
+    rule = "must be parts of (radius, length) or (lower radius, upper radius, length), upwards, such as [(6, 40), (20, 25, 60)]"
+    try:
+        parts = [tuple(map(float, part)) for part in parts]
+        return [{2: lambda r, length: (r, r, length), 3: lambda *all: all}[len(part)](*part) for part in parts]
+    except (TypeError, ValueError, KeyError):
+        _refuse(name, parts, rule)
+
+
+def _faces(name, value):
+    if isinstance(value, bool):
+        return value
+    array = _array(name, value)
+    if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iu":
+        remedy = "give (M, 3) integers, the rows of points= that are the corners, or faces=True for those of a file"
+        raise TypeError(f"faces= has the shape {array.shape} and the type {array.dtype}: {remedy}")
+    return np.ascontiguousarray(array, np.int64)
+
+
+def _text(name, value):
+    return value if isinstance(value, str) else _refuse(name, value, "must be a text, such as 'G55'")
+
+
+def _pair(name, value):
+    try:
+        tip, axis = map(float, value)
+        return tip, axis
+    except (TypeError, ValueError):
+        _refuse(name, value, "must be mm for the tip and degrees for the axis, such as (0.005, 0.1)")
+
+
+def _as_it_is(name, value):
+    return value
+
+
+INPUTS = dict(normals=_normals, scan_normals=_normals, faces=_faces, crop=_polygon, keep_outs=_polygons, regions=_polygons)
+INPUTS |= dict(holder=_holder, curve=_line, rail=_line, generator=_line, through=_line, block_tolerance=_pair, thin_blocks=_pair)
+INPUTS |= dict(machine=lambda name, value: file_of(value), work_offset=_text, pass_begin=_text, pass_end=_text, progress=_as_it_is)
+
+
+def _setting(row, value):
+    """The value of a setting by its kind."""
+    name, kind = row["name"], row["type"].split()[0]
+    rule = {"bool": "must be True or False", "Place": "must be three numbers, such as (0, 0, 1)", "Lite": f"must be one of {row['words']}"}
+    rule = rule.get(kind, rule["Lite"] if kind.startswith("Literal") else row["rule"])
+    try:
+        if kind == "bool" and isinstance(value, (bool, np.bool_)):
+            return bool(value)
+        if kind == "int" and not isinstance(value, bool):
+            return operator.index(value)
+        if kind == "float" and not isinstance(value, (str, bytes)):
+            return float(value)
+        if kind == "Place" and not isinstance(value, str):
+            x, y, z = map(float, value)
+            return x, y, z
+    except (TypeError, ValueError):
+        pass
+    return value if kind.startswith("Literal") and isinstance(value, str) else _refuse(name, value, rule)
+
+
+def given(table, settings):
+    """The keywords as the module takes them; it refuses those that are none."""
+    rows = {row["name"]: row for row in table}
+
+    def one(name, value):
+        row = rows.get(name)
+        if row is None or (value is None and ("text" not in row or "None" in row["type"])):
+            return value
+        return _setting(row, value) if "text" in row else INPUTS[name](name, value)
+
+    return {name: one(name, value) for name, value in settings.items()}
+
+
+def scan(points, settings, normals="normals"):
+    """The points: a file, or columns; with what their fields say of normals."""
+    if points is None or _file("points", points):
+        return points and _file("points", points)
+    columns = _columns("points", points)
+    names = np.asarray(points).dtype.names or ()
+    for fields in (("nx", "ny", "nz"), ("normal_x", "normal_y", "normal_z")):
+        if settings.get(normals) is None and set(fields) <= set(names):
+            settings[normals] = _columns("points", points, fields)
+    faces = settings.get("faces")
+    if isinstance(faces, np.ndarray):
+        wrong = np.argwhere((faces < 0) | (faces >= len(columns[0])))[:1]
+        for row, corner in wrong:
+            remedy = f"but there are {len(columns[0])} points: give rows of points=, from 0"
+            raise Error(f"faces= names the point {faces[row, corner]} in row {row}, {remedy}", "faces= names the point {name}", "invalid-input")
+    return columns
