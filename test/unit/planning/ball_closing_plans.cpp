@@ -117,7 +117,7 @@ TEST(BallClosingPlans, AreClearOfEveryPoint)
 TEST(BallClosingPlans, FalseEchoesThatAreFilteredDoNotLift)
 {
   const Cloud::Ptr dirty = blockOnTable();
-  const Eigen::Vector3f echo(0.0f, 0.0f, 60.0f); // 45 mm over the block
+  const Eigen::Vector3f echo(0.0f, 0.0f, 25.0f); // 10 mm over the block
   dirty->push_back({echo.x(), echo.y(), echo.z()});
   const auto highest = [&](int neighbours) {
     Planner planner;
@@ -137,8 +137,8 @@ TEST(BallClosingPlans, FalseEchoesThatAreFilteredDoNotLift)
       EXPECT_GT(nearest, ball_radius - 0.3);
     return high;
   };
-  EXPECT_LT(highest(16), 40.0);
-  EXPECT_GT(highest(0), 45.0); // it rides over the echo
+  EXPECT_LT(highest(16), 15.1);
+  EXPECT_GT(highest(0), 24.5); // it rides over the echo
 }
 
 TEST(BallClosingPlans, TheAxisIsTheDirection)
@@ -203,13 +203,12 @@ TEST(BallClosingPlans, JoinedPartsAreNamedAndOneCanBeChosen)
 
 TEST(BallClosingPlans, ARefusalNamesItIfItWouldGiveAPath)
 {
-  const Cloud::Ptr scan = view(test::FoldedPart::Hand, 2);
-  const auto remedies = [&](bool side_known, double scallop) {
-    scan->sensor_origin_.setZero();
+  const Cloud::Ptr scan = blockOnTable(); // two separate parts
+  const auto remedies = [&](bool side_known, double radius) {
     Planner planner;
     planner.setInputCloud(scan);
-    planner.setToolRadius(ball_radius);
-    planner.setScallopHeight(scallop);
+    planner.setToolRadius(radius);
+    planner.setScallopHeight(0.04 * radius);
     if (side_known)
       planner.setViewPoint({0, 0, 500});
     planner.setQuiet(true);
@@ -220,9 +219,9 @@ TEST(BallClosingPlans, ARefusalNamesItIfItWouldGiveAPath)
   const auto has = [](const std::vector<std::string>& settings) {
     return std::find(settings.begin(), settings.end(), "setBallClosing") != settings.end();
   };
-  EXPECT_TRUE(has(remedies(true, 0.4)));
-  EXPECT_FALSE(has(remedies(false, 0.4))); // from which side?
-  EXPECT_FALSE(has(remedies(true, 40.0))); // no such scallop with that ball: closed by it there is no path, either
+  EXPECT_TRUE(has(remedies(true, ball_radius)));
+  EXPECT_FALSE(has(remedies(false, ball_radius))); // from which side?
+  EXPECT_FALSE(has(remedies(true, 0.7)));          // that ball falls between the points: there is no path, either
 }
 
 TEST(BallClosingPlans, CoarseScansAreNotCut)
