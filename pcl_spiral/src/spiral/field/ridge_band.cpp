@@ -4,6 +4,7 @@
 #include "ridge_climb.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -51,41 +52,63 @@ RidgeBand::sortNodes()
   forNodes([&](std::uint32_t v, std::size_t level) { nodes_[next[level]++] = v; });
 }
 
-void
-RidgeBand::findNear()
+/** Nodes of the band with neighbours outside. */
+std::vector<std::uint32_t>
+RidgeBand::outermost() const
 {
-  is_near_ = field_.is_searched;
-  std::vector<float> reached(field_.mesh.size(), std::numeric_limits<float>::infinity());
-  std::vector<std::uint32_t> queue; // a node again when a shorter way to it is found, but once at a time
-  std::vector<std::uint8_t> waits(field_.mesh.size(), 0);
-  std::vector<std::uint8_t> starts(nodes_.size(), 0);
+  std::vector<std::uint8_t> is_outermost(nodes_.size(), 0);
   const auto count = static_cast<std::int64_t>(nodes_.size());
 #pragma omp parallel for schedule(static, 4096)
   for (std::int64_t i = 0; i < count; ++i)
-    forNeighbours(field_.mesh.triangles, nodes_[i], [&](std::uint32_t w) { starts[i] = starts[i] || !field_.is_searched[w]; });
+    forNeighbours(field_.mesh.triangles, nodes_[i], [&](std::uint32_t w) { is_outermost[i] = is_outermost[i] || !field_.is_searched[w]; });
+  std::vector<std::uint32_t> found;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (starts[i]) {
-      reached[nodes_[i]] = 0.0f;
-      queue.push_back(nodes_[i]);
-    }
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const std::uint32_t v = queue[i];
-    const float walked = reached[v];
-    waits[v] = 0;
+    if (is_outermost[i])
+      found.push_back(nodes_[i]);
+  return found;
+}
+
+/** Shortest ways along edges from the band, in rounds: all nodes with a new way look at their neighbours in parallel. The order, and who
+ *  finds a way first, do not matter: a node is in the next round when a shorter way to it is found, and the shortest remains. */
+void
+RidgeBand::findNear()
+{
+  const auto size = static_cast<std::int64_t>(field_.mesh.size());
+  std::vector<std::atomic<float>> reached(size);
+  std::vector<std::atomic<bool>> waits(size);
+#pragma omp parallel for schedule(static)
+  for (std::int64_t v = 0; v < size; ++v)
+    reached[v].store(field_.is_searched[v] ? 0.0f : std::numeric_limits<float>::infinity(), std::memory_order_relaxed);
+  const auto lookOn = [&](std::uint32_t v, std::vector<std::uint32_t>& found) {
+    waits[v].store(false);
+    const float walked = reached[v].load();
     forNeighbours(field_.mesh.triangles, v, [&](std::uint32_t w) {
-      if (field_.is_searched[w] || walked >= reached[w])
+      float before = reached[w].load();
+      if (walked >= before)
         return;
       const float there = walked + static_cast<float>(edgeLength(field_.mesh, v, w));
-      if (there >= reached[w])
-        return;
-      reached[w] = there;
-      is_near_[w] = 1; // the first beyond the reach too: it ends an edge that begins within
-      if (there < near_band && !waits[w]) {
-        waits[w] = 1;
-        queue.push_back(w);
-      }
+      while (there < before && !reached[w].compare_exchange_weak(before, there))
+        ;
+      if (there < before && there < near_band && !waits[w].exchange(true))
+        found.push_back(w);
     });
+  };
+  for (std::vector<std::uint32_t> front = outermost(), next; !front.empty(); front.swap(next), next.clear()) {
+    const auto count = static_cast<std::int64_t>(front.size());
+#pragma omp parallel
+    {
+      std::vector<std::uint32_t> found;
+#pragma omp for schedule(dynamic, 256) nowait
+      for (std::int64_t i = 0; i < count; ++i)
+        lookOn(front[i], found);
+#pragma omp critical(pcl_spiral_ridge_band)
+      next.insert(next.end(), found.begin(), found.end());
+    }
   }
+  is_near_.resize(size); // the first beyond the reach too: it ends an edge that begins within
+#pragma omp parallel for schedule(static)
+  for (std::int64_t v = 0; v < size; ++v)
+    is_near_[v] = std::isfinite(reached[v].load(std::memory_order_relaxed));
 }
 
 void

@@ -39,6 +39,7 @@ public:
 
 private:
   void sortNodes();
+  std::vector<std::uint32_t> outermost() const;
   void findNear();
   void findAbout();
 
