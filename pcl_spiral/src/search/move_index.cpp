@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl_spiral {
 namespace {
@@ -35,23 +36,33 @@ std::vector<MoveIndex::Piece>
 MoveIndex::pieces() const
 {
   const double limit = longest_piece * length(line_) / static_cast<double>(moves());
-  std::vector<Piece> result;
-  result.reserve(moves());
-  for (std::size_t i = 0; i + 1 < line_.size(); ++i) {
-    const Eigen::Vector3d a = line_[i] - origin_, d = line_[i + 1] - line_[i];
-    const auto count = limit > 0.0 ? std::max(1, static_cast<int>(std::ceil(d.norm() / limit))) : 1;
-    for (int k = 0; k < count; ++k) {
-      const Eigen::Vector3f p = (a + d * (static_cast<double>(k) / count)).cast<float>();
-      const Eigen::Vector3f q = (a + d * (static_cast<double>(k + 1) / count)).cast<float>();
-      Piece piece{};
-      piece.move = static_cast<std::uint32_t>(i);
-      for (int axis = 0; axis < 3; ++axis) {
-        piece.box.low[axis] = std::nextafter(std::min(p[axis], q[axis]), -1e30f);
-        piece.box.high[axis] = std::nextafter(std::max(p[axis], q[axis]), 1e30f);
+  const auto parts = [&](std::size_t i) {
+    return limit > 0.0 ? std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil((line_[i + 1] - line_[i]).norm() / limit))) : 1;
+  };
+  const auto blocks = static_cast<std::int64_t>((moves() + alone - 1) / alone);
+  const auto endOf = [this](std::size_t block) { return std::min(moves(), (block + 1) * alone); };
+  std::vector<std::size_t> begin(blocks + 1, 0); // of each block's pieces
+#pragma omp parallel for schedule(static) if (blocks > 1)
+  for (std::int64_t b = 0; b < blocks; ++b)
+    for (std::size_t i = b * alone; i < endOf(b); ++i)
+      begin[b + 1] += parts(i);
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Piece> result(begin.back());
+#pragma omp parallel for schedule(static) if (blocks > 1)
+  for (std::int64_t b = 0; b < blocks; ++b)
+    for (std::size_t i = b * alone, next = begin[b]; i < endOf(b); ++i) {
+      const Eigen::Vector3d a = line_[i] - origin_, d = line_[i + 1] - line_[i];
+      const std::size_t count = parts(i);
+      for (std::size_t k = 0; k < count; ++k, ++next) {
+        const Eigen::Vector3f p = (a + d * (static_cast<double>(k) / static_cast<double>(count))).cast<float>();
+        const Eigen::Vector3f q = (a + d * (static_cast<double>(k + 1) / static_cast<double>(count))).cast<float>();
+        result[next].move = static_cast<std::uint32_t>(i);
+        for (int axis = 0; axis < 3; ++axis) {
+          result[next].box.low[axis] = std::nextafter(std::min(p[axis], q[axis]), -1e30f);
+          result[next].box.high[axis] = std::nextafter(std::max(p[axis], q[axis]), 1e30f);
+        }
       }
-      result.push_back(piece);
     }
-  }
   return result;
 }
 
