@@ -51,7 +51,7 @@ public:
           const Cell near{c[0] + x, c[1] + y, c[2] + z};
           const std::size_t bucket = bucketOf(near);
           for (std::uint32_t k = begin_[bucket]; k < begin_[bucket + 1]; ++k)
-            if (entries_[k].cell == near)
+            if (const Cell& cell = entries_[k].cell; cell[0] == near[0] && cell[1] == near[1] && cell[2] == near[2]) // no call
               visit(entries_[k].point);
         }
   }
