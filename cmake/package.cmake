@@ -66,7 +66,9 @@ if(TARGET pcl_spiral_python) # a package of its own, beside that of all the rest
   set(CPACK_DEBIAN_BINDING_PACKAGE_NAME python3-pcl-spiral)
   set(CPACK_DEBIAN_BINDING_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_BINDING_PACKAGE_SECTION python)
-  set(CPACK_DEBIAN_BINDING_PACKAGE_DEPENDS "pcl-spiral (= ${PROJECT_VERSION}), python3-numpy")
+  math(EXPR next_minor "${Python3_VERSION_MINOR} + 1") # a module is for one version of Python
+  set(CPACK_DEBIAN_BINDING_PACKAGE_DEPENDS
+      "pcl-spiral (= ${PROJECT_VERSION}), python3-numpy, python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor})")
 endif()
 include(CPack)
 if(TARGET pcl_spiral_python)

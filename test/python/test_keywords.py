@@ -138,7 +138,7 @@ def test_types_are_up_to_date_and_strict(folder):
     (folder / "wrong.py").write_text("import pcl_spiral\npcl_spiral.spiral('a.pcd', tool_radius=6, scallop=0.1, sense='left')\n")
     examples = sorted(str(p) for p in __import__("pathlib").Path(source("examples", "python")).glob("*.py"))
     check = [sys.executable, "-m", "mypy", "--strict", "--cache-dir=/dev/null"]
-    done = subprocess.run(check + examples, capture_output=True, text=True)
+    done = subprocess.run([*check, pcl_spiral.__file__ + "i", *examples], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
     done = subprocess.run(check + ["wrong.py"], capture_output=True, text=True)
     assert "sense" in done.stdout and "Found 1 error" in done.stdout, done.stdout

@@ -2,6 +2,7 @@
 """Progress, cancelling, threads, memory, silence, pickling."""
 
 import copy
+import multiprocessing
 import os
 import pickle
 import signal
@@ -127,6 +128,16 @@ def test_eight_threads_at_once_and_cancelled_at_random():
     for thread in threads:
         thread.join()
     assert faults == []
+
+
+def length_with(radius):
+    return float(pcl_spiral.spiral(POINTS, tool_radius=radius, scallop=0.5).arc_length[-1])
+
+
+def test_processes_that_are_forked_after_a_run():
+    expected = [length_with(radius) for radius in (5, 6, 7)]
+    with multiprocessing.get_context("fork").Pool(2) as pool:
+        assert pool.map_async(length_with, (5, 6, 7)).get(timeout=60) == expected
 
 
 def resident():

@@ -169,10 +169,12 @@ def test_metres_and_map_coordinates(folder):
         path.save("python.csv")
         same("program.csv", "python.csv")
         assert np.abs(path.contact - 1000 * place).max() < 40
-    bump = np.concatenate([points, points[:3] + [0, 0, 0.005]])  # three points 5 mm above the surface
-    with pytest.raises(pcl_spiral.Error) as error:
-        pcl_spiral.spiral(bump, unit="m", tool_radius=4, scallop=0.05, clusters="refuse", tight="refuse", part_at=place * 1e3 + [0, 0, 9e9])
-    assert all(abs(p[0] - 1000 * place[0]) < 100 for p in error.value.places)
+    two = np.concatenate([points, points + [0.1, 0, 0]])
+    with pytest.raises(pcl_spiral.Error, match="393775000") as error:
+        pcl_spiral.spiral(two, unit="m", tool_radius=4, scallop=0.05)
+    assert error.value.places and all(np.abs(p - 1000 * place).max() < 200 for p in error.value.places)
+    right = pcl_spiral.spiral(two, unit="m", tool_radius=4, scallop=0.05, part_at=1000 * place + [100, 0, 0])
+    assert np.abs(right.contact - 1000 * place - [100, 0, 0]).max() < 40
 
 
 def test_reports_have_the_same_figures(scan):
