@@ -142,3 +142,17 @@ def test_types_are_up_to_date_and_strict(folder):
     assert done.returncode == 0, done.stdout + done.stderr
     done = subprocess.run(check + ["wrong.py"], capture_output=True, text=True)
     assert "sense" in done.stdout and "Found 1 error" in done.stdout, done.stdout
+
+
+WEIRD = [None, 5, -1.5, True, "", "none.txt", b"x", object(), [], [[]], {}, [None], [5], ["none.txt"], [[0, 0]], [[0, 0, 0]], np.zeros((0, 3))]
+WEIRD += [np.full((4, 3), np.nan), np.full((4, 2), 1e308), np.zeros((2, 2, 2)), [np.zeros((4, 2))], np.zeros(4), np.zeros(3, "U2"), lambda: 0]
+INPUTS = [(name, row["name"]) for name in FUNCTIONS for row in _keywords.table_of(name) if "text" not in row]
+
+
+@pytest.mark.parametrize("name, keyword", INPUTS)
+def test_whatever_an_input_is_given_it_is_taken_or_refused(name, keyword, folder):
+    for value in WEIRD:
+        try:
+            FUNCTIONS[name](**{keyword: value})
+        except (TypeError, pcl_spiral.Error) as error:
+            assert len(str(error)) > 20 and "pybind11" not in str(error), error
