@@ -30,8 +30,8 @@ constexpr double ridge_turn = 14.0;  // degrees
  *  a ridge of 1.55 times the height (test one_way), at 1.0 to 1.2 a path over a rough scan crossed itself (test reach_map); from 1.3 on
  *  neither. */
 constexpr double band_width = 1.4;
-/** The same of the narrow band: where the places that are not covered lie. Measured on 30 outlines: at 0.25, 0.5, 0.75 and 1.4 the length
- *  and the height that 99.9 % keep are the same to 0.1 %; with the triangles on the ridges alone a path crossed itself (outline U). */
+/** The same of the narrow band: where the places that are not covered lie. Measured on 30 outlines: at 0.25, 0.5, 0.75 and 1.4 lengths and
+ *  heights are the same to 0.1 %; with the triangles on the ridges alone a path crossed itself (outline U). */
 constexpr double fine_width = 0.5;
 constexpr double band_gradient = 0.94; // |grad D| below which triangles join the band
 constexpr double weak_gradient = 0.97;
