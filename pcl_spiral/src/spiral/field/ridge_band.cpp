@@ -42,7 +42,7 @@ RidgeBand::sortNodes()
 {
   const auto forNodes = [this](const auto& visit) {
     for (std::uint32_t v = 0; v < field_.mesh.size(); ++v)
-      if (field_.is_searched[v])
+      if (field_.is_fine[v])
         visit(v, static_cast<std::size_t>(field_.distance[v]));
   };
   forNodes([this](std::uint32_t, std::size_t level) { ++begin_[level + 1]; });
@@ -60,7 +60,7 @@ RidgeBand::outermost() const
   const auto count = static_cast<std::int64_t>(nodes_.size());
 #pragma omp parallel for schedule(static, 4096)
   for (std::int64_t i = 0; i < count; ++i)
-    forNeighbours(field_.mesh.triangles, nodes_[i], [&](std::uint32_t w) { is_outermost[i] = is_outermost[i] || !field_.is_searched[w]; });
+    forNeighbours(field_.mesh.triangles, nodes_[i], [&](std::uint32_t w) { is_outermost[i] = is_outermost[i] || !field_.is_fine[w]; });
   std::vector<std::uint32_t> found;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (is_outermost[i])
@@ -78,7 +78,7 @@ RidgeBand::findNear()
   std::vector<std::atomic<bool>> waits(size);
 #pragma omp parallel for schedule(static)
   for (std::int64_t v = 0; v < size; ++v)
-    reached[v].store(field_.is_searched[v] ? 0.0f : std::numeric_limits<float>::infinity(), std::memory_order_relaxed);
+    reached[v].store(field_.is_fine[v] ? 0.0f : std::numeric_limits<float>::infinity(), std::memory_order_relaxed);
   const auto lookOn = [&](std::uint32_t v, std::vector<std::uint32_t>& found) {
     waits[v].store(false);
     const float walked = reached[v].load();
@@ -115,7 +115,7 @@ void
 RidgeBand::findAbout()
 {
   std::vector<std::uint8_t> is_about(field_.mesh.size(), 0);
-  spread(field_.mesh.triangles, field_.is_searched, is_about);
+  spread(field_.mesh.triangles, field_.is_fine, is_about);
   std::vector<Eigen::Vector3f> points;
   for (std::uint32_t v = 0; v < field_.mesh.size(); ++v)
     if (is_about[v]) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The nodes of a field near its ridges, found by distance and by position.
+ *  The nodes of the narrow band of a field, found by distance and by position.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** The band about the ridges of a field in which places that are not covered are looked for. */
+/** The narrow band about the ridges of a field. */
 class RidgeBand {
 public:
   explicit RidgeBand(const StepOverDistance& field);

@@ -25,14 +25,10 @@ namespace {
 constexpr double wide_parts = 4.0;
 constexpr double narrow_parts = 8.0; // the same of the narrow band
 constexpr double ridge_turn = 14.0;  // degrees
-/** Step-overs on either side of a ridge in which places that are not covered are looked for. Such a place lies within half a step-over of
- *  a ridge, and a finger there blends into its loop within 0.55 of its axis: 1.05 at least. Measured: at 0.8 a pass that is moved far left
- *  a ridge of 1.55 times the height (test one_way), at 1.0 to 1.2 a path over a rough scan crossed itself (test reach_map); from 1.3 on
- *  neither. */
+/** Step-overs on either side of a ridge, in both bands. A place that is not covered lies within half a step-over of a ridge, and a finger
+ *  there blends into its loop within 0.55 of its axis: 1.05 at least. Measured: at 0.8 a pass that is moved far left a ridge of 1.55 times
+ *  the height (test one_way), at 1.0 to 1.2 a path over a rough scan crossed itself (test reach_map); from 1.3 on neither. */
 constexpr double band_width = 1.4;
-/** The same of the narrow band: where the places that are not covered lie. Measured on 30 outlines: at 0.25, 0.5, 0.75 and 1.4 lengths and
- *  heights are the same to 0.1 %; with the triangles on the ridges alone a path crossed itself (outline U). */
-constexpr double fine_width = 0.5;
 constexpr double band_gradient = 0.94; // |grad D| below which triangles join the band
 constexpr double weak_gradient = 0.97;
 constexpr double least_clear = 2.5;                   // spacings
@@ -73,16 +69,9 @@ grow(const Triangulation& triangles, std::vector<std::uint8_t>& chosen, int ring
   }
 }
 
-/** Number of rings of triangles with sides of \p edge over \p width. */
-int
-ringsOver(double width, double edge)
-{
-  return static_cast<int>(std::ceil(width / edge));
-}
-
-/** Triangles at the ridges of \p distance. */
+/** Triangles about the ridges of \p distance. \p edge: of the mesh there. */
 std::vector<std::uint8_t>
-onRidges(const StepOverMesh& mesh, const std::vector<double>& distance)
+aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, double edge)
 {
   const std::vector<float> agreement = gradientAgreement(mesh, distance);
   const auto least = static_cast<float>(std::cos(ridge_turn * pi / 180.0));
@@ -92,15 +81,15 @@ onRidges(const StepOverMesh& mesh, const std::vector<double>& distance)
   for (std::int64_t t = 0; t < count; ++t)
     for (const std::uint32_t v : mesh.triangles.triangle(t))
       chosen[t] |= agreement[v] < least;
+  grow(mesh.triangles, chosen, static_cast<int>(std::ceil(band_width / edge)));
   return chosen;
 }
 
-/** Triangles about the ridges of \p distance, and triangles in which it is not a true distance. \p edge: of the mesh. */
+/** Triangles about the ridges of \p distance, and triangles in which it is not a true distance. */
 std::vector<std::uint8_t>
 wideBand(const StepOverMesh& mesh, const std::vector<double>& distance, double edge)
 {
-  std::vector<std::uint8_t> chosen = onRidges(mesh, distance);
-  grow(mesh.triangles, chosen, ringsOver(band_width, edge));
+  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, edge);
   const std::vector<float> lengths = gradientLengths(mesh, distance);
   std::vector<std::uint8_t> weak(chosen.size(), 0);
   for (std::size_t t = 0; t < chosen.size(); ++t)
@@ -111,15 +100,15 @@ wideBand(const StepOverMesh& mesh, const std::vector<double>& distance, double e
   return chosen;
 }
 
-/** Leaves of \p chosen the triangles of which all corners have a mark in \p is_cut. */
-void
-keepCut(const StepOverMesh& mesh, const std::vector<std::uint8_t>& is_cut, std::vector<std::uint8_t>& chosen)
+/** Triangles about the ridges of \p distance among those cut once. */
+std::vector<std::uint8_t>
+narrowBand(const StepOverMesh& mesh, const std::vector<double>& distance, const std::vector<std::uint8_t>& is_cut, double edge)
 {
-  const auto count = static_cast<std::int64_t>(chosen.size());
-#pragma omp parallel for schedule(static, 4096)
-  for (std::int64_t t = 0; t < count; ++t)
+  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, edge);
+  for (std::size_t t = 0; t < chosen.size(); ++t)
     for (const std::uint32_t v : mesh.triangles.triangle(t))
       chosen[t] &= is_cut[v];
+  return chosen;
 }
 
 /** One a node: 1 at the corners of \p chosen triangles. */
@@ -175,27 +164,6 @@ leastLength(const StepOverMesh& mesh, double reserve)
   return sum;
 }
 
-/** The figures and marks of \p field that follow from its distances, which must be finite. */
-Status
-finish(StepOverDistance& field)
-{
-  for (std::size_t v = 0; v < field.mesh.size(); ++v) {
-    if (!std::isfinite(field.distance[v]))
-      return {StatusCode::Failed,
-              Diagnostic("the surface is disconnected: no way leads over it from the rim to ", Place(field.mesh.positions[v]),
-                         ", because parts of the {scan} touch at a single point; {scan it again, more densely}")};
-    field.largest = std::max(field.largest, field.distance[v]);
-  }
-  const std::vector<float> lengths = gradientLengths(field.mesh, field.distance);
-  field.is_weak.resize(lengths.size());
-  for (std::size_t t = 0; t < lengths.size(); ++t) {
-    const auto& corners = field.mesh.triangles.triangle(t);
-    const bool searched = field.is_searched[corners[0]] && field.is_searched[corners[1]] && field.is_searched[corners[2]];
-    field.is_weak[t] = !searched && lengths[t] < weak_gradient;
-  }
-  return Status::success();
-}
-
 } // namespace
 
 Status
@@ -247,22 +215,28 @@ measureOnMesh(StepOverMesh mesh, double spacing, const StepOverOptions& options,
     return status;
   field.cut_edge = field.usual_edge / first;
   field.is_cut = field.is_fine;
-  field.is_searched = field.is_fine;
   if (!at_once) {
-    std::vector<std::uint8_t> narrow = onRidges(field.mesh, marched.distance);
-    grow(field.mesh.triangles, narrow, ringsOver(fine_width, field.cut_edge));
-    std::vector<std::uint8_t> searched = narrow;
-    grow(field.mesh.triangles, searched, ringsOver(band_width, field.cut_edge) - ringsOver(fine_width, field.cut_edge));
-    keepCut(field.mesh, field.is_cut, narrow);
-    keepCut(field.mesh, field.is_cut, searched);
-    field.is_searched = cornersOf(field.mesh, searched);
+    const std::vector<std::uint8_t> narrow = narrowBand(field.mesh, marched.distance, field.is_cut, field.cut_edge);
     if (const Status status = cut(narrow, static_cast<int>(std::ceil(parts / first)), 0.7, 1.0); !status.ok())
       return status;
     field.is_cut.resize(field.mesh.size(), 1);
-    field.is_searched.resize(field.mesh.size(), 1);
   }
   field.distance = std::move(marched.distance);
-  return finish(field);
+  for (std::size_t v = 0; v < field.mesh.size(); ++v) {
+    if (!std::isfinite(field.distance[v]))
+      return {StatusCode::Failed,
+              Diagnostic("the surface is disconnected: no way leads over it from the rim to ", Place(field.mesh.positions[v]),
+                         ", because parts of the {scan} touch at a single point; {scan it again, more densely}")};
+    field.largest = std::max(field.largest, field.distance[v]);
+  }
+  const std::vector<float> lengths = gradientLengths(field.mesh, field.distance);
+  field.is_weak.resize(lengths.size());
+  for (std::size_t t = 0; t < lengths.size(); ++t) {
+    const auto& corners = field.mesh.triangles.triangle(t);
+    const bool fine = field.is_fine[corners[0]] && field.is_fine[corners[1]] && field.is_fine[corners[2]];
+    field.is_weak[t] = !fine && lengths[t] < weak_gradient;
+  }
+  return Status::success();
 }
 
 } // namespace pcl_spiral

@@ -184,10 +184,9 @@ coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentS
   const StepOverMesh& mesh = field.mesh;
   tests = CoverTests();
   std::vector<std::uint32_t> index(mesh.size(), none);
-  tests.reserve(static_cast<std::size_t>(
-      std::count_if(field.is_searched.begin(), field.is_searched.end(), [](auto searched) { return searched != 0; })));
+  tests.reserve(static_cast<std::size_t>(std::count_if(field.is_fine.begin(), field.is_fine.end(), [](auto fine) { return fine != 0; })));
   for (std::uint32_t v = 0; v < mesh.size(); ++v)
-    if (field.is_searched[v]) {
+    if (field.is_fine[v]) {
       index[v] = static_cast<std::uint32_t>(tests.size());
       tests.add(mesh.positions[v], mesh.metric[v]);
     }

@@ -57,7 +57,6 @@ rawLoop(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& 
     loop.line.metric.push_back(between(mesh.metric[c.below], mesh.metric[c.above], share));
     loop.uphill.push_back(mesh.positions[c.above] - mesh.positions[c.below]);
     loop.is_fine.push_back(field.is_fine[c.below] && field.is_fine[c.above]);
-    loop.is_searched.push_back(field.is_searched[c.below] && field.is_searched[c.above]);
     loop.is_cut.push_back(field.is_cut[c.below] && field.is_cut[c.above]);
     loop.is_near.push_back(band.isNear(c.below) || band.isNear(c.above));
     const std::uint32_t summit = climb.summit(c.above);

@@ -19,13 +19,12 @@ namespace pcl_spiral {
 /** A loop as drawn on the mesh, with facts about its points. */
 struct RawLoop {
   ScallopLoop line;
-  Polyline uphill;                       ///< one a point: direction to larger distances, mm
-  std::vector<std::uint8_t> is_fine;     ///< one a point: within the narrow band
-  std::vector<std::uint8_t> is_searched; ///< one a point: where uncovered places may lie
-  std::vector<std::uint8_t> is_cut;      ///< one a point: within the wide band
-  std::vector<std::uint8_t> is_near;     ///< one a point: so near to the band that nodes of the band may be nearest to this point
-  std::vector<std::uint32_t> summits;    ///< that the nodes within it lead to
-  bool is_thin = false;                  ///< goes only round summits that a finger reaches
+  Polyline uphill;                    ///< one a point: direction to larger distances, mm
+  std::vector<std::uint8_t> is_fine;  ///< one a point: within the narrow band
+  std::vector<std::uint8_t> is_cut;   ///< one a point: within the wide band
+  std::vector<std::uint8_t> is_near;  ///< one a point: so near to the band that nodes of the band may be nearest to this point
+  std::vector<std::uint32_t> summits; ///< that the nodes within it lead to
+  bool is_thin = false;               ///< goes only round summits that a finger reaches
 };
 
 /** The closed lines of \p values at \p level through \p triangles, ascending; without those shorter than half a step-over. */

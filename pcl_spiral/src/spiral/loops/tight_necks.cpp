@@ -27,7 +27,7 @@ public:
     std::vector<Entry> found;
     for (std::uint32_t l = 0; l < loops.size(); ++l)
       for (std::uint32_t i = 0; i < loops[l].line.points.size(); ++i)
-        if (loops[l].is_searched[i])
+        if (loops[l].is_fine[i])
           found.push_back({cellOf(loops[l].line.points[i]), {l, i}});
     while (mask_ < found.size())
       mask_ = 2 * mask_ + 1;
@@ -98,7 +98,7 @@ tightNecks(const std::vector<RawLoop>& loops, double width)
   double edge = 0.0;
   for (const RawLoop& loop : loops)
     for (std::size_t i = 0; i < loop.line.metric.size(); ++i)
-      if (loop.is_searched[i])
+      if (loop.is_fine[i])
         edge = std::max(edge, width * longestStepOver(loop.line.metric[i]));
   std::vector<FingerAxis> axes;
   if (edge == 0.0)
@@ -114,7 +114,7 @@ tightNecks(const std::vector<RawLoop>& loops, double width)
   };
   for (std::uint32_t l = 0; l < loops.size(); ++l)
     for (std::uint32_t i = 0; i < loops[l].line.points.size(); ++i)
-      if (loops[l].is_searched[i])
+      if (loops[l].is_fine[i])
         grid.forNear(loops[l].line.points[i], [&](const LoopPoint& q) {
           if (std::make_pair(l, i) < std::make_pair(q.loop, q.point) && isNeck(loops[l], i, loops[q.loop], q.point, width))
             add(loops[l], i, loops[q.loop], q.point);
