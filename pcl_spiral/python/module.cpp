@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module)
   addPlanning(module, tables);
   addPrograms(tables);
   addVerification(module, tables);
+  addStages(module, tables);
   module.attr("__version__") = PCL_SPIRAL_VERSION;
   module.attr("tables") = tables;
   py::module_::import("atexit").attr("register")(py::cpp_function(&finishRuns));

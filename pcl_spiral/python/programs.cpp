@@ -156,7 +156,8 @@ writeProgram(const Path& path, const std::string& file, const py::dict& given)
           words);
   if (!path.source)
     raise("invalid-argument",
-          "an unpickled path has no scan, by which the leads of a program are checked: make the path again, and its program at once",
+          "this path has no scan, by which the leads of a program are checked, for it was unpickled or made of stages: make it by "
+          "spiral(), drive() or ridge(), and its program at once",
           words);
   if (extension != ".yaml" && has_moves && path.source->passes && !(path.source->tool.cutter.radius > 0.0))
     raise("invalid-argument", Diagnostic(file, ": this format needs a cutter, and the tool is a beam; use .yaml or a program"), words);

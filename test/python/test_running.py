@@ -206,7 +206,7 @@ def test_pickling(kind, folder):
         path.save("a.csv")
         other.save("b.csv")
         assert open("a.csv", "rb").read() == open("b.csv", "rb").read()
-    with pytest.raises(pcl_spiral.Error, match="unpickled"):
+    with pytest.raises(pcl_spiral.Error, match="was unpickled"):
         other.program("part.ngc")
     with pytest.raises(pcl_spiral.Error) as error:
         pcl_spiral.spiral(POINTS[:3], **SETTINGS)

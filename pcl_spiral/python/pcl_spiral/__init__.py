@@ -2,7 +2,7 @@
 """From a scan to a continuous spiral toolpath. Lengths in mm, angles in degrees."""
 
 from . import _core
-from ._inputs import file_of, scan
+from ._inputs import file_of, line, place, scan
 from ._keywords import document
 from ._results import Error, Program, Verification, complete_path
 
@@ -39,5 +39,42 @@ def verify(points, path, **settings):
     return Verification(**_core.verify(scan(points, settings), path if isinstance(path, Path) else file_of(path), settings))
 
 
+@document
+def surface(points, **settings):
+    """The prepared surface of a scan: clean, oriented, made once for all stages (ScannedSurface)."""
+    return _core.surface(scan(points, settings), settings)
+
+
+@document
+def boundary_loops(surface, **settings):
+    """The rim, holes and gaps of a surface (BoundaryLoops)."""
+    return _core.boundary_loops(surface, settings)
+
+
+@document
+def bridge_gaps(surface, loops, **settings):
+    """A surface with patches over its gaps, and its loops without them (GapBridging)."""
+    return _core.bridge_gaps(surface, loops, settings)
+
+
+@document
+def radial_lines(surface, loops, **settings):
+    """The lines that a radial spiral is drawn on (RadialLines)."""
+    return _core.radial_lines(surface, loops, settings)
+
+
+@document
+def spiral_over(surface, loops=(), radial=None, **settings):
+    """A spiral over a surface, its loops and radial lines; what is not given is made (SpiralToolpathGenerator)."""
+    return _core.spiral_over(surface, loops, radial, settings)
+
+
+def geodesic_path(surface, source, targets):
+    """The shortest path on the surface from a place to each of the targets, (N, 3): an array each (GeodesicPath)."""
+    return _core.geodesic_path(surface, place("source", source), line("targets", targets))
+
+
 Path = complete_path(_core.Path, program)
-__all__ = ["Error", "Path", "Program", "Verification", "drive", "program", "ridge", "spiral", "verify"]
+BoundaryLoop, RadialLines, Surface = _core.BoundaryLoop, _core.RadialLines, _core.Surface
+__all__ = ["BoundaryLoop", "Error", "Path", "Program", "RadialLines", "Surface", "Verification", "boundary_loops", "bridge_gaps"]
+__all__ += ["drive", "geodesic_path", "program", "radial_lines", "ridge", "spiral", "spiral_over", "surface", "verify"]

@@ -63,7 +63,13 @@ def _normals(name, value):
     return _columns(name, value, ("nx", "ny", "nz"))
 
 
-def _line(name, value):
+def place(name, value):
+    """Three numbers."""
+    return _setting({"name": name, "type": "Place"}, value)
+
+
+def line(name, value):
+    """Points in order: a file, or (N, 3)."""
     return _file(name, value) or np.ascontiguousarray(np.column_stack(_columns(name, value)), np.float64)
 
 
@@ -118,15 +124,15 @@ def _as_it_is(name, value):
 
 
 INPUTS = dict(normals=_normals, scan_normals=_normals, faces=_faces, crop=_polygon, keep_outs=_polygons, regions=_polygons)
-INPUTS |= dict(holder=_holder, curve=_line, rail=_line, generator=_line, through=_line, block_tolerance=_pair, thin_blocks=_pair)
+INPUTS |= dict(holder=_holder, curve=line, rail=line, generator=line, through=line, block_tolerance=_pair, thin_blocks=_pair)
 INPUTS |= dict(machine=lambda name, value: file_of(value), work_offset=_text, pass_begin=_text, pass_end=_text, progress=_as_it_is)
 
 
 def _setting(row, value):
     """The value of a setting by its kind."""
     name, kind = row["name"], row["type"].split()[0]
-    rule = {"bool": "must be True or False", "Place": "must be three numbers, such as (0, 0, 1)", "Lite": f"must be one of {row['words']}"}
-    rule = rule.get(kind, rule["Lite"] if kind.startswith("Literal") else row["rule"])
+    rule = {"bool": "must be True or False", "Place": "must be three numbers, such as (0, 0, 1)"}.get(kind) or row["rule"]
+    rule = f"must be one of {row['words']}" if kind.startswith("Literal") else rule
     try:
         if kind == "bool" and isinstance(value, (bool, np.bool_)):
             return bool(value)
@@ -169,5 +175,6 @@ def scan(points, settings, normals="normals"):
         wrong = np.argwhere((faces < 0) | (faces >= len(columns[0])))[:1]
         for row, corner in wrong:
             remedy = f"but there are {len(columns[0])} points: give rows of points=, from 0"
-            raise Error(f"faces= names the point {faces[row, corner]} in row {row}, {remedy}", "faces= names the point {name}", "invalid-input")
+            text = f"faces= names the point {faces[row, corner]} in row {row}, {remedy}"
+            raise Error(text, "faces= names the point {name}", "invalid-input")
     return columns

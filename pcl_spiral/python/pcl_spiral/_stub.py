@@ -32,6 +32,12 @@ CLASSES = {
     | {"passes": "tuple[slice, ...]", "tool_radius": "float", "feed": "float"}
     | {"report": "dict[str, Any]", "report_text": "str", "warnings": TEXTS},
 }
+STAGES = {
+    "Surface": dict.fromkeys(("points", "normals"), ARRAY.format("float64")) | dict.fromkeys(("spacing", "noise", "area"), "float"),
+    "BoundaryLoop": dict.fromkeys(("points", "curve"), ARRAY.format("float64"))
+    | {"length": "float", "type": "Literal['outer', 'inner', 'gap']"},
+    "RadialLines": {"lines": "list[NDArray[np.float64]]"},
+}
 METHODS = "    def __len__(self) -> int: ...\n    def save(self, file: File) -> None: ...\n    def to_vtk(self) -> Any: ...\n"
 FUNCTIONS = {  # what they have before their keywords, and what they give
     "spiral": ("points: Points", "Path"),
@@ -39,12 +45,19 @@ FUNCTIONS = {  # what they have before their keywords, and what they give
     "ridge": ("points: Points | None = None", "Path"),
     "program": ("path: Path, file: File", "Program"),
     "verify": ("points: Points, path: Path | File", "Verification"),
+    "surface": ("points: Points", "Surface"),
+    "boundary_loops": ("surface: Surface", "list[BoundaryLoop]"),
+    "bridge_gaps": ("surface: Surface, loops: Sequence[BoundaryLoop]", "tuple[Surface, list[BoundaryLoop]]"),
+    "radial_lines": ("surface: Surface, loops: Sequence[BoundaryLoop]", "RadialLines"),
+    "spiral_over": ("surface: Surface, loops: Sequence[BoundaryLoop] = (), radial: RadialLines | None = None", "Path"),
 }
+GEODESIC = "\ndef geodesic_path(surface: Surface, source: Place, targets: Points) -> list[NDArray[np.float64]]: ...\n"
 
 
 def _class(name, members):
     """A class whose members can be read."""
-    return f"\nclass {name}:\n" + "".join(f"    @property\n    def {m}(self) -> {t}: ...\n" for m, t in members.items())
+    sized = "    def __len__(self) -> int: ...\n" if name in ("Surface", "RadialLines") else ""
+    return f"\nclass {name}:\n" + "".join(f"    @property\n    def {m}(self) -> {t}: ...\n" for m, t in members.items()) + sized
 
 
 def _function(name, first, result, indent=""):
@@ -58,9 +71,9 @@ def _function(name, first, result, indent=""):
 
 def stub():
     """The text of __init__.pyi."""
-    text = HEAD + "".join(_class(*one) for one in CLASSES.items())
+    text = HEAD + "".join(_class(*one) for one in (STAGES | CLASSES).items())
     text += METHODS + _function("program", "self, file: File", "Program", "    ")
-    return text + "".join("\n" + _function(name, *rest) for name, rest in FUNCTIONS.items())
+    return text + "".join("\n" + _function(name, *rest) for name, rest in FUNCTIONS.items()) + GEODESIC
 
 
 if __name__ == "__main__":
