@@ -14,6 +14,8 @@ namespace {
 NumberColumn
 columnOf(const py::handle& object)
 {
+  if (!py::isinstance<py::array>(object))
+    raiseType("the points are no columns of numbers: give a numpy array of shape (N, 3), or the name of a file");
   const auto column = py::reinterpret_borrow<py::array>(object);
   return {column.data(), column.strides(0), static_cast<std::size_t>(column.shape(0)), column.itemsize() == 4};
 }

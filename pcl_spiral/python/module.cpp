@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, module)
   module.attr("__version__") = PCL_SPIRAL_VERSION;
   module.attr("tables") = tables;
   py::module_::import("atexit").attr("register")(py::cpp_function(&finishRuns));
+  py::module_::import("os").attr("register_at_fork")(py::arg("after_in_child") = py::cpp_function(&forgetRuns));
 }

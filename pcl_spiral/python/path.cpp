@@ -116,6 +116,9 @@ save(const Path& path, const std::string& file)
   });
 }
 
+constexpr const char* broken_pickle =
+    "the pickled path is broken, or was made by another build of pcl_spiral: make it again, or save it as .csv";
+
 /** The values of a vector as bytes. */
 template <typename Values>
 py::bytes
@@ -129,6 +132,8 @@ void
 fromBytes(const py::handle& bytes, Values& values)
 {
   const std::string data = bytes.cast<std::string>();
+  if (data.size() % sizeof(values[0]) != 0)
+    raiseType(broken_pickle);
   values.resize(data.size() / sizeof(values[0]));
   std::memcpy(static_cast<void*>(values.data()), data.data(), data.size());
 }
@@ -166,6 +171,11 @@ fromState(const py::tuple& state)
     fromBytes(state[7], poses);
     path.poses = std::make_shared<const ToolPoses>(std::move(poses));
   }
+  const auto fits = [size = points->size()](std::size_t count) { return count == 0 || count == size; };
+  const std::vector<std::size_t>& passes = path.motion.passes;
+  if (!fits(path.motion.tips.size()) || !fits(path.poses ? path.poses->size() : 0) || !std::is_sorted(passes.begin(), passes.end()) ||
+      (!passes.empty() && passes.back() >= points->size()))
+    raiseType(broken_pickle);
   path.report = state[8].cast<std::string>();
   path.warnings = state[9].cast<std::vector<std::string>>();
   return path;

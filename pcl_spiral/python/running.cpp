@@ -4,8 +4,10 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <thread>
 
@@ -15,6 +17,7 @@ namespace {
 std::mutex mutex; ///< of all below, and of State::done
 std::condition_variable ended;
 int running = 0;
+std::atomic<bool> is_ending{false}; ///< the interpreter is
 
 } // namespace
 
@@ -28,14 +31,17 @@ struct Run::State {
 
   bool goesOn(double share, const std::string& stage)
   {
-    if (stop || !function)
-      return !stop;
+    if (stop || is_ending || !function)
+      return !stop && !is_ending;
     const py::gil_scoped_acquire acquire;
-    if (stop)
+    if (stop || is_ending)
       return false;
     try {
       const py::object called = function, answer = called(share, stage);
-      stop = stop || answer.is(py::bool_(false));
+      const int is_true = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
+      if (is_true < 0)
+        throw py::error_already_set();
+      stop = stop || is_true == 0;
     }
     catch (const py::error_already_set& error) {
       if (!stop)
@@ -50,7 +56,11 @@ struct Run::State {
   {
     const py::gil_scoped_release release;
     std::unique_lock<std::mutex> lock(mutex);
-    return ended.wait_for(lock, std::chrono::milliseconds(20), [this] { return done; });
+    const bool is_done = ended.wait_for(lock, std::chrono::milliseconds(20), [this] { return done; });
+    lock.unlock();
+    while (is_ending) // a daemon thread, which must not ask for the lock of the interpreter any more
+      std::this_thread::sleep_for(std::chrono::hours(1));
+    return is_done;
   }
 };
 
@@ -106,9 +116,23 @@ Run::operator()(const std::function<void()>& compute) const
 void
 finishRuns()
 {
-  const py::gil_scoped_release release;
-  std::unique_lock<std::mutex> lock(mutex);
-  ended.wait(lock, [] { return running == 0; });
+  is_ending = true;
+  const auto areDone = [] {
+    const py::gil_scoped_release release;
+    std::unique_lock<std::mutex> lock(mutex);
+    return ended.wait_for(lock, std::chrono::milliseconds(20), [] { return running == 0; });
+  };
+  while (!areDone())
+    if (PyErr_CheckSignals() != 0)
+      std::_Exit(130); // as a shell names an interrupted process
+}
+
+void
+forgetRuns()
+{
+  new (&mutex) std::mutex; // a thread that is not here may hold the old ones
+  new (&ended) std::condition_variable;
+  running = 0;
 }
 
 } // namespace pcl_spiral::python

@@ -16,7 +16,8 @@ namespace pcl_spiral::python {
  *  The library then stops at its next step of progress, and nobody waits for it. */
 class Run {
 public:
-  /** \p function: called with the share done and the name of the stage; it cancels by False, or by an exception. None: none. */
+  /** \p function: called with the share done and the name of the stage; it cancels by an answer that
+   *  is false, but for None, or by an exception. None: none. */
   explicit Run(const py::object& function);
 
   ProgressCallback progress() const;
@@ -29,7 +30,10 @@ private:
   std::shared_ptr<State> state_;
 };
 
-/** Waits for runs that nobody waits for: before the interpreter ends. */
+/** Cancels all runs and waits for them: before the interpreter ends. A signal, such as Ctrl-C, ends the process at once. */
 void finishRuns();
+
+/** In the child of a fork: the runs of the parent are not there. */
+void forgetRuns();
 
 } // namespace pcl_spiral::python

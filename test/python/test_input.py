@@ -159,3 +159,38 @@ def test_the_input_stays_as_it_is():
     points = POINTS.copy()
     pcl_spiral.spiral(points, **SETTINGS)
     assert points.tobytes() == POINTS.tobytes()
+
+
+def test_normals_are_used_or_refused(folder):
+    write_points("cap.xyz", POINTS)
+    down = np.tile([0.0, 0.0, -1.0], (len(POINTS), 1))
+    assert np.mean(pcl_spiral.spiral(POINTS, normals=down, **SETTINGS).normal[:, 2]) < -0.8
+    with pytest.raises(pcl_spiral.Error, match="normals= goes with an array"):
+        pcl_spiral.spiral("cap.xyz", normals=down, **SETTINGS)
+    for nothing in (0.0 * down, np.nan * down):
+        with pytest.raises(pcl_spiral.Error, match="holds no direction"):
+            pcl_spiral.spiral(POINTS, normals=nothing, **SETTINGS)
+
+
+def test_masked_points_are_left_out():
+    masked = np.ma.array(np.concatenate([POINTS, [[0.0, 0.0, 30.0]]]), mask=False)
+    masked[-1] = np.ma.masked
+    path = pcl_spiral.spiral(masked, **SETTINGS)
+    assert np.array_equal(path.contact, EXPECTED.contact)
+
+
+def test_odd_containers_are_refused(folder):
+    wide = np.zeros(3, [("x", "f8", (200,)), ("y", "f8"), ("z", "f8")])
+    with pytest.raises(TypeError, match="several values in the field x"):
+        pcl_spiral.spiral(wide, **SETTINGS)
+    write_points("cap.xyz", POINTS)
+
+    class Name:
+        def __fspath__(self):
+            return b"cap.xyz"
+
+    assert len(pcl_spiral.spiral(Name(), **SETTINGS)) > 0
+    for wrong in (True, 10**400):
+        with pytest.raises(TypeError, match="tool_radius="):
+            pcl_spiral.spiral(POINTS, tool_radius=wrong, scallop=0.5)
+    assert len(pcl_spiral.spiral(POINTS, outlier_neighbours=2**31 - 1, **SETTINGS)) > 0

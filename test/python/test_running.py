@@ -243,3 +243,46 @@ def test_pictures_of_notebooks_and_vtk():
         return
     lines = path.to_vtk()
     assert lines.GetNumberOfPoints() == len(path) and lines.GetNumberOfLines() == len(path.passes)
+
+
+def test_what_is_false_cancels():
+    for answer in (np.False_, 0):
+        with pytest.raises(pcl_spiral.Error) as error:
+            pcl_spiral.spiral(POINTS, progress=lambda share, stage, answer=answer: answer, **SETTINGS)
+        assert error.value.code == "cancelled"
+
+
+def test_broken_pickles_are_refused():
+    path = pcl_spiral.spiral(POINTS, **SETTINGS)
+    data = pickle.dumps(path)
+    points = path.__reduce_ex__(2)[2]
+    state = list(points if isinstance(points, tuple) else points[0])
+    where = next(i for i, part in enumerate(state) if isinstance(part, bytes) and part)
+    state[where] = state[where][:-5]
+    fresh = type(path).__new__(type(path))
+    with pytest.raises(TypeError, match="broken"):
+        fresh.__setstate__(tuple(state))
+    assert len(pickle.loads(data)) == len(path)
+
+
+BESIDE = """
+import os, sys, threading, time
+sys.path.insert(0, {tests!r})
+import pcl_spiral
+from conftest import cap
+points = cap(60000)
+threading.Thread(target=lambda: pcl_spiral.spiral(points, tool_radius=6, scallop=0.02), daemon=True).start()
+time.sleep(0.2)
+if {fork}:
+    child = os.fork()
+    if child == 0:
+        sys.exit(7)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
+"""
+
+
+@pytest.mark.parametrize("fork", [False, True])
+def test_ends_beside_a_run_of_a_daemon_thread(fork):
+    script = BESIDE.format(tests=os.path.dirname(__file__), fork=fork)
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0 and done.stderr == "", done.stderr

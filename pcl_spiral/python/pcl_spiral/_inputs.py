@@ -15,6 +15,10 @@ def _refuse(name, value, rule):
 
 
 def _array(name, value):
+    if np.ma.isMaskedArray(value):  # what is masked is not there, as points that are not finite
+        if value.dtype.kind not in "fiu" or name == "faces":
+            raise TypeError(f"{name}= is a masked array that has no place for missing values: leave the masked rows out")
+        return np.ma.filled(value.astype(np.float64), np.nan)
     try:
         return np.asarray(value)
     except ValueError as error:  # rows of several lengths
@@ -35,7 +39,7 @@ def _numbers(name, array):
 
 
 def _file(name, value):
-    return os.fspath(value) if isinstance(value, (str, os.PathLike)) else None
+    return os.fsdecode(value) if isinstance(value, (str, os.PathLike)) else None
 
 
 def file_of(value):
@@ -56,11 +60,18 @@ def _columns(name, value, fields=("x", "y", "z")):
     for field in fields:
         if field not in names:
             raise TypeError(f"{name}= has no field {field}; it has {names}: give fields {', '.join(fields)}")
+        if array.dtype[field].shape != ():
+            raise TypeError(f"{name}= has several values in the field {field} of one row: give one number a field")
     return tuple(_numbers(name, array[field].reshape(-1)) for field in fields)
 
 
 def _normals(name, value):
-    return _columns(name, value, ("nx", "ny", "nz"))
+    columns = _columns(name, value, ("nx", "ny", "nz"))
+    lengths = sum(np.abs(column) for column in columns)
+    if len(lengths) > 0 and not np.any(np.isfinite(lengths) & (lengths > 0)):
+        raise Error(f"{name}= holds no direction: all normals are zero or not finite; give normals, or leave {name}= out",
+                    f"{name}= holds no direction", "invalid-argument")
+    return columns
 
 
 def place(name, value):
@@ -93,7 +104,7 @@ def _holder(name, parts):
     try:
         parts = [tuple(map(float, part)) for part in parts]
         return [{2: lambda r, length: (r, r, length), 3: lambda *all: all}[len(part)](*part) for part in parts]
-    except (TypeError, ValueError, KeyError):
+    except (TypeError, ValueError, KeyError, OverflowError):
         _refuse(name, parts, rule)
 
 
@@ -115,7 +126,7 @@ def _pair(name, value):
     try:
         tip, axis = map(float, value)
         return tip, axis
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         _refuse(name, value, "must be mm for the tip and degrees for the axis, such as (0.005, 0.1)")
 
 
@@ -138,12 +149,12 @@ def _setting(row, value):
             return bool(value)
         if kind == "int" and not isinstance(value, bool):
             return operator.index(value)
-        if kind == "float" and not isinstance(value, (str, bytes)):
+        if kind == "float" and not isinstance(value, (str, bytes, bool, np.bool_)):
             return float(value)
         if kind == "Place" and not isinstance(value, str):
             x, y, z = map(float, value)
             return x, y, z
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         pass
     return value if kind.startswith("Literal") and isinstance(value, str) else _refuse(name, value, rule)
 
@@ -164,11 +175,14 @@ def given(table, settings):
 def scan(points, settings, normals="normals"):
     """The points: a file, or columns; with what their fields say of normals."""
     if points is None or _file("points", points):
+        if settings.get(normals) is not None:
+            text = f"{normals}= goes with an array of points: a file has its own normals; leave {normals}= out, or read the file yourself"
+            raise Error(text, f"{normals}= goes with an array of points", "invalid-argument")
         return points and _file("points", points)
     columns = _columns("points", points)
     names = np.asarray(points).dtype.names or ()
     for fields in (("nx", "ny", "nz"), ("normal_x", "normal_y", "normal_z")):
-        if settings.get(normals) is None and set(fields) <= set(names):
+        if settings.get(normals) is None and settings.get("faces") is None and set(fields) <= set(names):
             settings[normals] = _columns("points", points, fields)
     faces = settings.get("faces")
     if isinstance(faces, np.ndarray):

@@ -4,6 +4,7 @@
 #include "hash_parts.h"
 #include "mean_distances.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -157,7 +158,8 @@ statisticalInliers(const std::vector<Eigen::Vector3f>& points, int neighbours, d
 {
   if (points.size() < 2)
     return allIndices(points.size());
-  const std::vector<float> distance = meanDistances(points, neighbours);
+  const auto others = static_cast<int>(std::min<std::size_t>(points.size() - 1, std::numeric_limits<int>::max() - 1));
+  const std::vector<float> distance = meanDistances(points, std::min(neighbours, others));
   const double n = static_cast<double>(points.size());
   const double mean = std::accumulate(distance.begin(), distance.end(), 0.0) / n;
   double squares = 0.0;

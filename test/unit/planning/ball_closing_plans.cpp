@@ -138,7 +138,7 @@ TEST(BallClosingPlans, FalseEchoesThatAreFilteredDoNotLift)
     return high;
   };
   EXPECT_LT(highest(16), 16.0); // the fit swings over at the edges of the block
-  EXPECT_GT(highest(0), 24.5); // it rides over the echo
+  EXPECT_GT(highest(0), 24.5);  // it rides over the echo
 }
 
 TEST(BallClosingPlans, TheAxisIsTheDirection)
