@@ -22,7 +22,8 @@ constexpr double narrow_cells = 4.0; // narrower than that nothing is a hole: a 
  *  half, both are half the radius, and the path is longer. Neither cuts more: with the curvature k of a closed surface, -1/R or more, the
  *  scallop of the tool of radius R is (R - r) / (R (1 + k r)) of that of the smaller ball on the surface raised by r, and so at most as
  *  high. */
-constexpr std::array<ClosingTry, 4> tries{{{0.25, false}, {0.5, false}, {0.25, true}, {0.5, true}}};
+constexpr std::array<ClosingTry, 5> tries{
+    {{0.25, false, false}, {0.5, false, false}, {0.25, true, false}, {0.5, true, false}, {0.25, false, true}}};
 constexpr std::size_t remedy_tries = 2; // so that a refusal takes about three times as long as a path
 
 Status
@@ -201,8 +202,8 @@ closeScan(const PlanInput& given, const SeenParts& seen, const ClosingTry& how, 
   if (closed.input.choice.crop_box)
     closed.input.choice.crop_box->translate(closed.rounding * s.heights->along());
   s.tool_radius -= closed.rounding;
-  if (s.method == SpiralMethod::Shortest) // flanks and holes all round: radial lines seldom lead over them
-    s.method = SpiralMethod::ConstantScallop;
+  if (s.method == SpiralMethod::Shortest) // flanks and holes all round: radial lines lead over them the long way, if at all
+    s.method = how.radial ? SpiralMethod::Radial : SpiralMethod::ConstantScallop;
   if (how.turned)
     s.sense = s.sense == SpiralSense::Clockwise ? SpiralSense::CounterClockwise : SpiralSense::Clockwise;
   if (!(s.hole_size > 0.0))
@@ -238,10 +239,12 @@ namespace {
 Status
 noPath(const Status& said, std::size_t tries)
 {
-  return {said.code(), Diagnostic("closed by the ball ({setBallClosing}) the {scan} gives no path, in ", tries,
-                                  " tries with two roundings and both senses: take another tool radius ({setToolRadius}) or scallop height "
-                                  "({setScallopHeight}), or crop the {scan} ({setCrop}). The first try ended with: ",
-                                  said.diagnostic())};
+  return {
+      said.code(),
+      Diagnostic("closed by the ball ({setBallClosing}) the {scan} gives no path, in ", tries,
+                 " tries with two roundings, both senses and both methods: take another tool radius ({setToolRadius}) or scallop height "
+                 "({setScallopHeight}), or crop the {scan} ({setCrop}). The first try ended with: ",
+                 said.diagnostic())};
 }
 
 /** The work of planClosed with the first \p most of the tries. */
@@ -260,6 +263,8 @@ planWithTries(const PlanInput& whole, std::size_t most, const PlanRun& run, Spir
     return status;
   Status first = Status::success();
   std::vector<PlanAttempt> failed;
+  if (whole.settings.method != SpiralMethod::Shortest)
+    most = std::min(most, tries.size() - 1); // there is but one method
   for (std::size_t i = 0; i < most; ++i) {
     const ClosingTry& how = tries[i];
     std::vector<StageCost> stages;

@@ -16,6 +16,7 @@ namespace pcl_spiral {
 struct ClosingTry {
   double rounding = 0.0; ///< share of the radius by which the closed surface is raised: the path is for a ball as much smaller
   bool turned = false;   ///< in the other sense than asked for
+  bool radial = false;   ///< with radial lines if no method is asked for; else at constant scallop
 };
 
 /** A scan that was closed, and what it is planned with. */

@@ -80,6 +80,8 @@ isClear(const OuterSide& side)
     return side.mean_cosine >= weak_view && side.agreement >= agreeing_view && side.view_spread <= surrounding_view;
   case SideVote::GivenNormals:
     return side.z_cosine > -clear_z || side.convex_cosine > -clearly_curved || side.view_cosine > 0.0;
+  case SideVote::ToolAxis:
+    return true;
   case SideVote::Convex:
     break;
   }
@@ -98,6 +100,8 @@ nameOf(SideVote vote)
     return "view point";
   case SideVote::PlusZ:
     return "+z";
+  case SideVote::ToolAxis:
+    return "tool axis";
   case SideVote::Convex:
     break;
   }
@@ -131,7 +135,7 @@ sideWarnings(const OuterSide& side)
     warnings.push_back(Diagnostic("the given normals have no common side and were not used: they agree on ",
                                   percent(side.normals_agreement),
                                   " of the area, below 90 %; orient them, or give a view point ({setViewPoint})"));
-  if (side.flipped || side.vote == SideVote::ToolAxis || isClear(side))
+  if (side.flipped || isClear(side))
     return warnings;
   if (side.vote == SideVote::PlusZ)
     warnings.push_back(zWarning(side));

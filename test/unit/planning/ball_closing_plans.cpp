@@ -239,6 +239,7 @@ TEST(BallClosingPlans, CoarseScansAreNotCut)
   ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
   EXPECT_LT(depthsOf(path, *coarse, 9.0).ball, allowedDepth(planner));
   EXPECT_EQ(planner.getReport().input_points, coarse->size()); // not the points of the closed surface
+  EXPECT_EQ(planner.getReport().side.vote, SideVote::ToolAxis);
 }
 
 TEST(BallClosingPlans, PointsThatTheFilterTakesForEchoesAreTold)
