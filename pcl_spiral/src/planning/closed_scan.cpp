@@ -132,18 +132,20 @@ fromCrop(const PartChoice& choice, const Eigen::Vector3d& fall, const Eigen::Vec
   return farthest;
 }
 
-/** Leaves out of the scan of \p input what lies so far beside its crop that no ball over the crop meets it. */
+/** Leaves out of the scan of \p input what lies so far beside its crop that no ball over the crop, or over the rim's overhang, meets it. */
 void
 leaveFarPointsOut(PlanInput& input)
 {
   const SpiralSettings& s = input.settings;
-  if (input.indices || !input.cloud || (!s.fixed_axis && knowsSide(input)))
+  const bool is_cropped = input.choice.crop || input.choice.crop_box;
+  if (!is_cropped || input.indices || !input.cloud || (!s.fixed_axis && knowsSide(input)))
     return;
   const Eigen::Vector3d fall = s.fixed_axis ? s.fixed_axis->normalized() : Eigen::Vector3d::UnitZ();
+  const double farthest = reach * s.tool_radius + std::max(0.0, s.rim_overhang);
   const auto near = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   near->sensor_origin_ = input.cloud->sensor_origin_;
   for (const pcl::PointXYZ& p : *input.cloud) // dilation, then erosion: twice the radius
-    if (pcl::isFinite(p) && fromCrop(input.choice, fall, p.getVector3fMap().cast<double>()) <= reach * s.tool_radius)
+    if (pcl::isFinite(p) && fromCrop(input.choice, fall, p.getVector3fMap().cast<double>()) <= farthest)
       near->push_back(p);
   input.cloud = near;
 }
