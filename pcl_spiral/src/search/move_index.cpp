@@ -12,6 +12,7 @@ namespace {
 
 constexpr double longest_piece = 2.0; // in mean lengths: at most half as many pieces again as segments
 constexpr std::size_t alone = 4096;   // pieces that one thread puts into boxes; only speed: the boxes are the same
+constexpr std::size_t together = 4;   // pieces of a group
 
 } // namespace
 
@@ -24,12 +25,13 @@ MoveIndex::MoveIndex(const Polyline& line) : line_(line)
     box.extend(p);
   origin_ = box.center();
   slack_ = 4e-7 * box.diagonal().norm();
-  std::vector<Piece> all = pieces();
+  const std::vector<Piece> all = pieces();
+  std::vector<Group> sorted = groups(all);
   boxes_.resize(2 * all.size() - 1);
   next_.resize(2 * all.size() - 1);
 #pragma omp parallel if (all.size() > 2 * alone)
 #pragma omp single
-  build(all, 0, all.size(), 0, 1);
+  build(sorted, 0, sorted.size(), all, 0, 1);
 }
 
 std::vector<MoveIndex::Piece>
@@ -66,37 +68,75 @@ MoveIndex::pieces() const
   return result;
 }
 
-/** \p free: index of the first of the boxes for what is below this node, two for each piece but one. */
-void
-MoveIndex::build(std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node, std::size_t free)
+/** Consecutive pieces are near each other already: they stay together, and only their groups are sorted. */
+std::vector<MoveIndex::Group>
+MoveIndex::groups(const std::vector<Piece>& pieces)
 {
-  Box4 box = pieces[first].box, middles;
+  std::vector<Group> result((pieces.size() + together - 1) / together);
+  const auto count = static_cast<std::int64_t>(result.size());
+#pragma omp parallel for schedule(static) if (pieces.size() > alone)
+  for (std::int64_t g = 0; g < count; ++g) {
+    Group& group = result[g];
+    group.first = static_cast<std::uint32_t>(g * together);
+    group.count = static_cast<std::uint32_t>(std::min(together, pieces.size() - group.first));
+    group.box = pieces[group.first].box;
+    for (std::size_t i = group.first + 1; i < group.first + group.count; ++i)
+      extend(group.box, pieces[i].box);
+  }
+  return result;
+}
+
+/** The tree over \p groups first to last. \p free: index of the first of the boxes for what is below this node, two for each piece but
+ *  one. */
+void
+MoveIndex::build(std::vector<Group>& groups, std::size_t first, std::size_t last, const std::vector<Piece>& pieces, std::size_t node,
+                 std::size_t free)
+{
+  if (last - first == 1)
+    return build(pieces, groups[first].first, groups[first].first + groups[first].count, node, free);
+  Box4 box = groups[first].box, middles;
   middles.low.fill(1e30f);
   middles.high.fill(-1e30f);
-  for (std::size_t i = first; i < last; ++i)
+  for (std::size_t i = first; i < last; ++i) {
+    extend(box, groups[i].box);
     for (int d = 0; d < 3; ++d) {
-      const Box4& piece = pieces[i].box;
-      box.low[d] = std::min(box.low[d], piece.low[d]);
-      box.high[d] = std::max(box.high[d], piece.high[d]);
-      middles.low[d] = std::min(middles.low[d], piece.low[d] + piece.high[d]);
-      middles.high[d] = std::max(middles.high[d], piece.low[d] + piece.high[d]);
+      const float middle = groups[i].box.low[d] + groups[i].box.high[d];
+      middles.low[d] = std::min(middles.low[d], middle);
+      middles.high[d] = std::max(middles.high[d], middle);
     }
-  boxes_[node] = box;
-  if (last - first == 1) {
-    next_[node] = leaf | pieces[first].move;
-    return;
   }
+  boxes_[node] = box;
   int axis = 0;
   for (int d = 1; d < 3; ++d)
     if (middles.high[d] - middles.low[d] > middles.high[axis] - middles.low[axis])
       axis = d;
   const std::size_t half = first + (last - first) / 2;
-  const auto begin = pieces.begin();
+  const auto begin = groups.begin();
   std::nth_element(
       begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(half), begin + static_cast<std::ptrdiff_t>(last),
-      [axis](const Piece& a, const Piece& b) { return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis]; });
+      [axis](const Group& a, const Group& b) { return a.box.low[axis] + a.box.high[axis] < b.box.low[axis] + b.box.high[axis]; });
+  std::size_t below = 0; // pieces in the first half
+  for (std::size_t i = first; i < half; ++i)
+    below += groups[i].count;
   next_[node] = static_cast<std::uint32_t>(free);
-#pragma omp task shared(pieces) if (half - first > alone)
+#pragma omp task shared(groups, pieces) if (below > alone)
+  build(groups, first, half, pieces, free, free + 2);
+  build(groups, half, last, pieces, free + 1, free + 2 * below);
+}
+
+/** The tree over \p pieces first to last, halved in their order. */
+void
+MoveIndex::build(const std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node, std::size_t free)
+{
+  boxes_[node] = pieces[first].box;
+  for (std::size_t i = first + 1; i < last; ++i)
+    extend(boxes_[node], pieces[i].box);
+  if (last - first == 1) {
+    next_[node] = leaf | pieces[first].move;
+    return;
+  }
+  const std::size_t half = first + (last - first) / 2;
+  next_[node] = static_cast<std::uint32_t>(free);
   build(pieces, first, half, free, free + 2);
   build(pieces, half, last, free + 1, free + 2 * (half - first));
 }

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,8 +17,8 @@
 
 namespace pcl_spiral {
 
-/** The segments of a polyline, halved repeatedly across the longest side of their box, under boxes in
- * single precision that are rounded outwards. Segments much longer than the mean are stored in pieces.
+/** The segments of a polyline, in groups of four that follow each other; the groups are halved repeatedly across the longest side
+ * of their box, under boxes in single precision that are rounded outwards. Segments much longer than the mean are stored in pieces.
  * The polyline must outlive the index and must not change. Memory: 72 bytes per segment, at most half as much
  * again, in addition to the polyline.
  */
@@ -78,6 +79,19 @@ private:
     Box4 box;
     std::uint32_t move;
   };
+  /** Pieces that follow each other. */
+  struct Group {
+    Box4 box;
+    std::uint32_t first, count;
+  };
+
+  static void extend(Box4& box, const Box4& other)
+  {
+    for (int d = 0; d < 3; ++d) {
+      box.low[d] = std::min(box.low[d], other.low[d]);
+      box.high[d] = std::max(box.high[d], other.high[d]);
+    }
+  }
 
   static float squaredDistance(const Box4& box, const Eigen::Array4f& p)
   {
@@ -92,7 +106,10 @@ private:
     return static_cast<float>(wide * wide);
   }
   std::vector<Piece> pieces() const;
-  void build(std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node, std::size_t free);
+  static std::vector<Group> groups(const std::vector<Piece>& pieces);
+  void build(std::vector<Group>& groups, std::size_t first, std::size_t last, const std::vector<Piece>& pieces, std::size_t node,
+             std::size_t free);
+  void build(const std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node, std::size_t free);
 
   const Polyline& line_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
