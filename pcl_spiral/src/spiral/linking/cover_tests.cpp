@@ -3,7 +3,6 @@
 
 #include "common/stoppable_loop.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
-#include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <algorithm>
 #include <array>
@@ -14,11 +13,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double suspect = 0.42;       // a node's distance above which the triangles about it get test points
-constexpr double least_watched = 0.36; // test points nearer than this to the path stay covered
-constexpr double deep_place = 0.55;    // but not about a place this far from the path, which moves the path by more
-constexpr double watch_reach = 1.6;    // test points this near to an uncovered place are watched
-constexpr double search_within = 1.5;  // step-overs
+constexpr double suspect = 0.42;      // a node's distance above which the triangles about it get test points
+constexpr double near_enough = 0.36;  // a segment nearer than this to a test point is not followed further
+constexpr double search_within = 1.5; // step-overs
 constexpr std::uint32_t none = 0xffffffffu;
 constexpr std::size_t none_near = NearestSegment::none;
 constexpr std::size_t together = 128; // tests that look first where the one before found something; the same for any number of threads
@@ -56,52 +53,6 @@ setTests(const StepOverMesh& mesh, const TestedTriangle& tested, CoverTests& tes
         set(i + 2.0 / 3.0, j + 2.0 / 3.0);
     }
 }
-
-/** Places among \p tests, to find out whether others are within reach of one. */
-class NearPlaces {
-public:
-  NearPlaces(const CoverTests& tests, std::vector<std::size_t> places) : tests_(tests), places_(std::move(places))
-  {
-    if (places_.empty())
-      return;
-    origin_ = tests.points[places_.front()];
-    std::vector<Eigen::Vector3f> points;
-    for (const std::size_t i : places_)
-      points.push_back((tests.points[i] - origin_).cast<float>());
-    blocks_ = PointBlocks(std::move(points));
-  }
-
-  /** Whether \p test is near one. \p last: the place found before, which is looked at first. */
-  bool isNear(std::size_t test, std::size_t& last) const
-  {
-    constexpr double rounding = 1e-3; // of the reach: more than that of the blocks on parts of up to ten thousand step-overs
-    const Eigen::Vector3d& p = tests_.points[test];
-    const StepOverMetric& metric = tests_.metric[test];
-    const auto reaches = [&](std::size_t place) { return metric.length(p - tests_.points[place]) < watch_reach; };
-    if (places_.empty())
-      return false;
-    if (last != none_near && reaches(last))
-      return true;
-    const Eigen::Vector3f q = (p - origin_).cast<float>();
-    const auto reach = static_cast<float>((1.0 + rounding) * watch_reach * longestStepOver(metric));
-    bool found = false;
-    blocks_.forBlocks([&](const Box& box) { return !found && box.squaredDistance(q.data()) <= reach * reach; },
-                      [&](std::size_t block) {
-                        for (std::size_t b = blocks_.blockBegin(block); !found && b < blocks_.blockEnd(block); ++b)
-                          if (const std::size_t place = places_[blocks_.originalIndex(b)]; reaches(place)) {
-                            last = place;
-                            found = true;
-                          }
-                      });
-    return found;
-  }
-
-private:
-  const CoverTests& tests_;
-  std::vector<std::size_t> places_;
-  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  PointBlocks blocks_; ///< of the places, from the origin
-};
 
 } // namespace
 
@@ -142,7 +93,7 @@ CoverTests::measure(const SegmentSet& lines, std::size_t first, double exact, co
       NearestSegment best;
       best.distance = search_within;
       for (const std::size_t from : {seeds[i], last[0], last[1]}) {
-        if (from == NearestSegment::none || best.distance < least_watched)
+        if (from == NearestSegment::none || best.distance < near_enough)
           continue;
         const NearestSegment found = lines.along(points[i], metric[i], from, best.distance);
         if (found.segment != NearestSegment::none)
@@ -223,37 +174,6 @@ coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentS
     tests.add(path.links[i], path.link_metric[i]);
   const bool whole = tests.measure(line, nodes, covered, partOf(progress, 0.5, 1.0, "coverage"));
   std::vector<std::size_t>().swap(tests.seeds);
-  return whole;
-}
-
-bool
-testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places, const SegmentSet& line,
-             const std::vector<std::uint8_t>& moves, const ProgressCallback& progress, std::vector<std::size_t>& watched)
-{
-  std::vector<std::size_t> deep_places;
-  std::copy_if(places.begin(), places.end(), std::back_inserter(deep_places),
-               [&tests](std::size_t i) { return tests.nearest[i].distance > deep_place; });
-  const NearPlaces all(tests, places), deep(tests, std::move(deep_places));
-  const auto mayMove = [&](const NearestSegment& near) {
-    const std::size_t s = line.label(near.segment) + line.place(near.segment);
-    return moves[s] != 0 || moves[s + 1] != 0;
-  };
-  std::vector<std::uint8_t> chosen(tests.size(), 0);
-  const auto blocks = static_cast<std::int64_t>((tests.size() + together - 1) / together);
-  const auto chooseBlock = [&](std::int64_t block) {
-    const std::size_t begin = static_cast<std::size_t>(block) * together;
-    std::size_t last = none_near, last_deep = none_near;
-    for (std::size_t i = begin; i < std::min(tests.size(), begin + together); ++i) {
-      const NearestSegment& near = tests.nearest[i];
-      chosen[i] = near.distance > covered ||
-                  (mayMove(near) && ((near.distance >= least_watched && all.isNear(i, last)) || deep.isNear(i, last_deep)));
-    }
-  };
-  const bool whole = stoppableLoop(0, blocks, partOf(progress, 0.0, 1.0, "coverage"), chooseBlock, together);
-  watched.clear();
-  for (std::size_t i = 0; i < tests.size(); ++i)
-    if (chosen[i])
-      watched.push_back(i);
   return whole;
 }
 

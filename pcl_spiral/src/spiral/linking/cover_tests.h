@@ -44,10 +44,4 @@ SegmentSet passLines(const LinkedPath& path);
 bool coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line, const ProgressCallback& progress,
                 CoverTests& tests);
 
-/** The uncovered \p places, and those of \p tests near them that may become uncovered, because the segment of \p line that is nearest to
- *  them may move. \p moves: whether a point of the path is near an uncovered place; its index is the label of a run and the place in
- *  it. Returns false if \p progress cancels. */
-bool testsToWatch(const CoverTests& tests, const std::vector<std::size_t>& places, const SegmentSet& line,
-                  const std::vector<std::uint8_t>& moves, const ProgressCallback& progress, std::vector<std::size_t>& watched);
-
 } // namespace pcl_spiral

@@ -39,12 +39,13 @@ struct NearPath {
   double share = 0.0; ///< along the nearest segment
 };
 
-/** A test point that a moving path may uncover: an upper limit of its distance, which all rounds look at. */
+/** A test point that a moving path may uncover: an upper limit of its distance, and the segment of which it was taken. */
 struct Watched {
-  double distance = 0.0;     ///< from the nearest segment; includes how far that has moved since it was measured
-  std::size_t segment = 0;   ///< from its point of the path to the next
+  double distance = 0.0;     ///< includes how far the segment has moved since it was measured
+  std::uint32_t segment = 0; ///< from its point of the path to the next
   std::uint32_t test = 0;    ///< the test point
   std::uint32_t near = none; ///< index of its NearPath, which is looked for when the limit is above covered
+  std::uint32_t next = none; ///< the next of those that are covered by the same segment
 
   static constexpr std::uint32_t none = 0xffffffffu;
 };
@@ -58,15 +59,14 @@ public:
     if (!watch(held, partOf(progress, 0.0, 0.5), figures))
       return false;
     for (; !watched_.empty() && figures.rounds < most_rounds; ++figures.rounds) {
-      std::vector<std::size_t> open;
-      if (!openPlaces(partOf(progress, 0.5 + 0.5 * figures.rounds / most_rounds, 0.5 + 0.5 * (figures.rounds + 1) / most_rounds), open))
+      if (!measureDoubtful(partOf(progress, 0.5 + 0.5 * figures.rounds / most_rounds, 0.5 + 0.5 * (figures.rounds + 1) / most_rounds)))
         return false;
-      figures.left = open.size();
-      figures.farthest = open.empty() ? covered : watched_[open.front()].distance;
-      if (open.empty())
+      figures.left = doubtful_.size();
+      figures.farthest = doubtful_.empty() ? covered : watched_[doubtful_.front()].distance;
+      if (doubtful_.empty())
         break;
-      figures.farthest_place = tests_.points[watched_[open.front()].test];
-      pull(open);
+      figures.farthest_place = tests_.points[watched_[doubtful_.front()].test];
+      pull();
       if (!move())
         break;
     }
@@ -79,15 +79,20 @@ private:
   NearPath nearPath(const Watched& at) const;
   SegmentSet movingLines() const;
   void measure(Watched& at);
-  bool openPlaces(const ProgressCallback& progress, std::vector<std::size_t>& open);
-  void pull(const std::vector<std::size_t>& open);
+  bool measureDoubtful(const ProgressCallback& progress);
+  void pull();
   bool isTaken(std::size_t centre) const;
+  void watchTests(const std::vector<std::uint8_t>& near, const SegmentSet& line, const std::vector<std::size_t>& dense);
+  void cover(std::uint32_t w);
+  void raiseLimits(std::size_t segment);
   bool move();
 
   const StepOverDistance& field_;
   LinkedPath& path_;
   CoverTests tests_;
   std::vector<Watched> watched_;
+  std::vector<std::uint32_t> doubtful_;   ///< watched whose limit is above covered
+  std::vector<std::uint32_t> covered_by_; ///< one a segment of the path: the first of the watched that it covers
   std::vector<NearPath> near_paths_;
   SegmentSet lines_;                   ///< the parts of the path that may move, as they were at first
   std::vector<std::uint8_t> near_;     ///< one a point of the path: 1 within reach of an uncovered place
@@ -119,36 +124,49 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
     return true;
   std::vector<std::uint8_t> near(path_.points.size() + 1, 0); // the segment of a single point has a second end
   findNear(*line, places, near);
-  std::vector<std::size_t> watched, dense;
-  if (!testsToWatch(tests_, places, *line, near, partOf(progress, 0.4, 1.0), watched))
-    return false;
-  CoverTests kept; // all that the rounds need
-  std::vector<NearestSegment> nearest;
-  for (const std::size_t i : watched) {
-    kept.add(tests_.points[i], tests_.metric[i]);
-    nearest.push_back(tests_.nearest[i]);
-    if (std::size_t& segment = nearest.back().segment; segment != NearestSegment::none)
-      segment = line->label(segment) + line->place(segment);
-  }
-  tests_ = std::move(kept);
-  line.reset();
+  std::vector<std::size_t> dense;
   densify(near, held, cover_grain, path_, near_, moves_, dense);
   shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
   moved_.assign(path_.points.size() + 1, 0.0);
   taken_.assign(path_.points.size(), 0);
-  for (std::size_t i = 0; i < nearest.size(); ++i) {
+  watchTests(near, *line, dense);
+  line.reset();
+  lines_ = movingLines();
+  return !progress || progress(1.0, "coverage");
+}
+
+/** Watch the tests that are uncovered, or covered by a segment of \p line that may move. \p near: the points of the path that may, as it
+ *  was; \p dense: where these points are now. */
+void
+Mover::watchTests(const std::vector<std::uint8_t>& near, const SegmentSet& line, const std::vector<std::size_t>& dense)
+{
+  covered_by_.assign(path_.points.size() + 1, Watched::none);
+  for (std::size_t i = 0; i < tests_.size(); ++i) {
     Watched at;
-    at.distance = nearest[i].distance;
+    at.distance = tests_.nearest[i].distance;
     at.test = static_cast<std::uint32_t>(i);
-    if (const std::size_t s = nearest[i].segment; s != NearestSegment::none) {
-      const std::size_t parts = dense[s + 1] - dense[s];
-      const auto part = std::min(parts - 1, static_cast<std::size_t>(nearest[i].share * static_cast<double>(parts)));
-      at.segment = dense[s] + part;
+    if (const std::size_t s = tests_.nearest[i].segment; s != NearestSegment::none) {
+      const std::size_t p = line.label(s) + line.place(s), parts = dense[p + 1] - dense[p];
+      if (!(at.distance > covered) && !near[p] && !near[p + 1])
+        continue;
+      const auto part = std::min(parts - 1, static_cast<std::size_t>(tests_.nearest[i].share * static_cast<double>(parts)));
+      at.segment = static_cast<std::uint32_t>(dense[p] + part);
     }
     watched_.push_back(at);
+    cover(static_cast<std::uint32_t>(watched_.size() - 1));
   }
-  lines_ = movingLines();
-  return true;
+  std::vector<NearestSegment>().swap(tests_.nearest);
+}
+
+/** Put a watched place to those of its segment, or to the doubtful ones. */
+void
+Mover::cover(std::uint32_t w)
+{
+  Watched& at = watched_[w];
+  if (at.distance > covered)
+    doubtful_.push_back(w);
+  else
+    at.next = std::exchange(covered_by_[at.segment], w);
 }
 
 NearPath
@@ -219,42 +237,39 @@ Mover::measure(Watched& at)
       const double d = distanceFromSegment(tests_.points[at.test], tests_.metric[at.test], path_.points[s], path_.points[s + 1], share);
       if (d < least) {
         least = d;
-        at.segment = s;
+        at.segment = static_cast<std::uint32_t>(s);
         near.share = share;
       }
     }
   at.distance = least;
 }
 
-/** The uncovered watched points, the farthest first. */
+/** Measure the doubtful places; keep those that are uncovered, the farthest first. */
 bool
-Mover::openPlaces(const ProgressCallback& progress, std::vector<std::size_t>& open)
+Mover::measureDoubtful(const ProgressCallback& progress)
 {
-  std::vector<std::size_t> doubtful;
-  std::uint32_t found = static_cast<std::uint32_t>(near_paths_.size());
-  const std::uint32_t known = found;
-  for (std::size_t i = 0; i < watched_.size(); ++i)
-    if (watched_[i].distance > covered) {
-      doubtful.push_back(i);
-      if (watched_[i].near == Watched::none)
-        watched_[i].near = found++;
+  std::vector<std::uint32_t> measured;
+  measured.swap(doubtful_);
+  const auto known = static_cast<std::uint32_t>(near_paths_.size());
+  for (const std::uint32_t w : measured)
+    if (watched_[w].near == Watched::none) {
+      watched_[w].near = static_cast<std::uint32_t>(near_paths_.size());
+      near_paths_.emplace_back();
     }
-  near_paths_.resize(found);
-  const bool whole =
-      stoppableLoop(0, static_cast<std::int64_t>(doubtful.size()), partOf(progress, 0.0, 1.0, "coverage"), [&](std::int64_t k) {
-        Watched& at = watched_[doubtful[k]];
-        if (at.near >= known)
-          near_paths_[at.near] = nearPath(at);
-        measure(at);
-      });
-  open.clear();
-  for (const std::size_t i : doubtful)
-    if (watched_[i].distance > covered)
-      open.push_back(i);
-  std::sort(open.begin(), open.end(), [this](std::size_t a, std::size_t b) {
+  const auto measureOne = [&](std::int64_t k) {
+    Watched& at = watched_[measured[k]];
+    if (at.near >= known)
+      near_paths_[at.near] = nearPath(at);
+    measure(at);
+  };
+  if (!stoppableLoop(0, static_cast<std::int64_t>(measured.size()), partOf(progress, 0.0, 1.0, "coverage"), measureOne))
+    return false;
+  for (const std::uint32_t w : measured)
+    cover(w);
+  std::sort(doubtful_.begin(), doubtful_.end(), [this](std::uint32_t a, std::uint32_t b) {
     return watched_[a].distance != watched_[b].distance ? watched_[a].distance > watched_[b].distance : a < b;
   });
-  return whole;
+  return true;
 }
 
 /** Whether the middle of another bell is near. */
@@ -266,12 +281,12 @@ Mover::isTaken(std::size_t centre) const
                      [](std::uint8_t t) { return t != 0; });
 }
 
-/** Set the shifts towards \p open places, as bells along the path. */
+/** Set the shifts towards the uncovered places, as bells along the path. */
 void
-Mover::pull(const std::vector<std::size_t>& open)
+Mover::pull()
 {
-  for (const std::size_t i : open) {
-    const Watched& at = watched_[i];
+  for (const std::uint32_t w : doubtful_) {
+    const Watched& at = watched_[w];
     const double share = near_paths_[at.near].share;
     const std::size_t centre = at.segment + (share > 0.5 ? 1 : 0);
     if (isTaken(centre))
@@ -292,6 +307,19 @@ Mover::pull(const std::vector<std::size_t>& open)
   }
 }
 
+/** Raise the limits of those that \p segment covers by its move; those above covered become doubtful. */
+void
+Mover::raiseLimits(std::size_t segment)
+{
+  const double moved = std::max(moved_[segment], moved_[segment + 1]);
+  for (std::uint32_t w = std::exchange(covered_by_[segment], Watched::none); w != Watched::none;) {
+    const std::uint32_t next = watched_[w].next;
+    watched_[w].distance += moved;
+    cover(w);
+    w = next;
+  }
+}
+
 /** Move the pulled points; false if there are none. */
 bool
 Mover::move()
@@ -302,10 +330,10 @@ Mover::move()
     path_.points[k] += damping * shift_[k];
     moved_[k] = path_.metric[k].length(damping * shift_[k]);
   }
-  const auto count = static_cast<std::int64_t>(watched_.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < count; ++i)
-    watched_[i].distance += std::max(moved_[watched_[i].segment], moved_[watched_[i].segment + 1]);
+  std::size_t next = 0; // each segment once
+  for (const std::size_t k : pulled_)
+    for (next = std::max(next, k - std::min<std::size_t>(k, 1)); next <= k; ++next)
+      raiseLimits(next);
   for (const std::size_t k : pulled_) {
     shift_[k].setZero();
     moved_[k] = 0.0;
