@@ -36,14 +36,16 @@ fieldOf(const SurfaceMade& made)
   return field;
 }
 
-/** Distance of \p p from the fitted outlines, mm. */
+/** Distance of \p p from the fitted outlines, mm; from their parts on the side \p side of the x axis, if it is not 0. */
 double
-rimDistance(const SurfaceMade& made, const Vector3d& p)
+rimDistance(const SurfaceMade& made, const Vector3d& p, double side = 0.0)
 {
   double least = 1e30;
   for (const BoundaryLoop& loop : made.loops)
     for (std::size_t i = 0; i < loop.curve.size(); ++i) {
       const Vector3d &a = loop.curve[i], d = loop.curve[(i + 1) % loop.curve.size()] - a;
+      if (a.y() * side < 0.0)
+        continue;
       const double t = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
       least = std::min(least, (p - a - t * d).norm());
     }
@@ -111,6 +113,28 @@ TEST(StepOverField, TheBandAboutRidgesIsFine)
   }
   EXPECT_GT(beside_ridge, 100u);
   EXPECT_EQ(fine, beside_ridge);
+}
+
+TEST(StepOverField, RidgesAreLinesOfNodesAsHighAsTheFrontsMakeThem)
+{
+  // Points 1.6 step-overs apart: no triangle of theirs runs along the ridge, and its corners say nothing of its height.
+  const SurfaceMade made = surfaceOf(*flat(Region({rectangle(100.0, 60.0)})), 600, 4);
+  const StepOverDistance field = fieldOf(made);
+  std::vector<double> on_ridge;
+  for (std::size_t v = 0; v < field.mesh.size(); ++v) {
+    const Vector3d& p = field.mesh.positions[v];
+    if (std::abs(p.y()) > step() || std::abs(p.x()) > 15.0)
+      continue;
+    EXPECT_NEAR(field.distance[v], rimDistance(made, p) / step(), 0.1) << p.transpose(); // a front is late by less
+    if (std::abs(rimDistance(made, p, 1.0) - rimDistance(made, p, -1.0)) < 0.04 * step())
+      on_ridge.push_back(p.x());
+  }
+  std::sort(on_ridge.begin(), on_ridge.end());
+  ASSERT_GT(on_ridge.size(), 2u);
+  EXPECT_LT(on_ridge.front(), -14.0);
+  EXPECT_GT(on_ridge.back(), 14.0);
+  for (std::size_t i = 1; i < on_ridge.size(); ++i)
+    EXPECT_LT(on_ridge[i] - on_ridge[i - 1], 0.5 * step()) << on_ridge[i];
 }
 
 TEST(StepOverField, AnOutlineOfAnotherScanIsRefusedWithItsPlace)

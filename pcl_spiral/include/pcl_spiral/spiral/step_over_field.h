@@ -14,20 +14,19 @@
 namespace pcl_spiral {
 
 /** D, the distance of each place from the nearest rim or hole along the surface, in allowed step-overs. It has ridges where
- *  fronts from several sides meet. The mesh is cut there twice: in a wide band about the ridges to a quarter of a step-over,
- *  and within it, in a narrow one, to an eighth. Where the wide band is a small part of the mesh, it is cut to an eighth at once. */
+ *  fronts from several sides meet. In a band about the ridges the mesh is cut to a quarter of a step-over, and it has edges along them. */
 struct StepOverDistance {
   using ConstPtr = std::shared_ptr<const StepOverDistance>; ///< A shared pointer to a constant one.
 
   StepOverMesh mesh;                 ///< nodes and triangles, up to the outlines
   std::vector<double> distance;      ///< one per node
-  std::vector<std::uint8_t> is_cut;  ///< one per node: 1 within the wide band about the ridges
-  std::vector<std::uint8_t> is_fine; ///< one per node: 1 where edges are an eighth of a step-over at most
+  std::vector<std::uint8_t> is_cut;  ///< one per node: 1 in the band about the ridges in which the mesh was cut
+  std::vector<std::uint8_t> is_fine; ///< one per node: 1 of these within 1.4 step-overs of a ridge
   std::vector<std::uint8_t> is_weak; ///< one per triangle: 1 outside the band where |grad D| is below 0.97
   double largest = 0.0;              ///< of distance: the number of loops one inside the other
   double least_length = 0.0;         ///< mm: integral of dA / largest step-over in any direction, plus half the boundary length
   double usual_edge = 0.0;           ///< median edge of the mesh before it was cut, in step-overs
-  double cut_edge = 0.0;             ///< the same of the triangles cut once
+  double cut_edge = 0.0;             ///< the same where it was cut
   StepOverBasis basis;               ///< what it was made with
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  The nodes of the narrow band of a field, found by distance and by position.
+ *  The nodes about the ridges of a field, found by distance and by position.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pcl_spiral {
 
-/** The narrow band about the ridges of a field. */
+/** The nodes within 1.4 step-overs of the ridges of a field. */
 class RidgeBand {
 public:
   explicit RidgeBand(const StepOverDistance& field);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace pcl_spiral {
@@ -20,6 +21,7 @@ constexpr double coarse_width = 1.2;
 constexpr double straight_within = 0.002; // points this near to a straight line are left out, step-overs
 constexpr double longest_straight = 4.0;
 constexpr double shortest_loop = 0.5; // step-overs
+constexpr double short_chord = 0.06;  // of a loop about a finger, step-overs: its radius is five times as long
 constexpr double off_nodes = 1e-6;    // share of an edge: loops stay this far from its ends
 
 /** Let the loop begin at the place farthest from its mean. Otherwise its begin, and all that is made of it, would depend on the order
@@ -41,44 +43,103 @@ fromFarthest(const StepOverMesh& mesh, std::vector<LevelCrossing> crossings)
   return crossings;
 }
 
-RawLoop
-rawLoop(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const LevelLine& line, int level)
-{
-  const StepOverMesh& mesh = field.mesh;
-  RawLoop loop;
-  loop.line.level = level;
-  loop.is_thin = true;
-  loop.line.points.reserve(line.crossings.size());
-  loop.line.metric.reserve(line.crossings.size());
-  loop.uphill.reserve(line.crossings.size());
-  for (const LevelCrossing& c : fromFarthest(mesh, line.crossings)) {
-    const double share = std::clamp(c.share, off_nodes, 1.0 - off_nodes);
-    loop.line.points.push_back((1.0 - share) * mesh.positions[c.below] + share * mesh.positions[c.above]);
-    loop.line.metric.push_back(between(mesh.metric[c.below], mesh.metric[c.above], share));
-    loop.uphill.push_back(mesh.positions[c.above] - mesh.positions[c.below]);
-    loop.is_fine.push_back(field.is_fine[c.below] && field.is_fine[c.above]);
-    loop.is_cut.push_back(field.is_cut[c.below] && field.is_cut[c.above]);
-    loop.is_near.push_back(band.isNear(c.below) || band.isNear(c.above));
-    const std::uint32_t summit = climb.summit(c.above);
-    loop.is_thin = loop.is_thin && field.distance[summit] < level + finger_radius;
-    if (loop.summits.empty() || loop.summits.back() != summit)
-      loop.summits.push_back(summit);
+/** Draws the loops of one level. */
+class LoopTracer {
+public:
+  LoopTracer(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const std::vector<double>& values, int level,
+             const RaisedField* raised)
+  : field_(field), mesh_(field.mesh), band_(band), climb_(climb), values_(values), level_(level), raised_(raised)
+  {}
+
+  RawLoop loop(std::vector<LevelCrossing> crossings) const
+  {
+    for (LevelCrossing& c : crossings)
+      if (isAtFinger(c))
+        c.share = raised_->zero(placeAt(c.below), placeAt(c.above), values_[c.below] - level_, values_[c.above] - level_);
+    crossings = fromFarthest(mesh_, std::move(crossings));
+    RawLoop loop;
+    loop.line.level = level_;
+    loop.is_thin = true;
+    loop.line.points.reserve(crossings.size());
+    loop.line.metric.reserve(crossings.size());
+    loop.uphill.reserve(crossings.size());
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      const LevelCrossing &c = crossings[i], &next = crossings[(i + 1) % crossings.size()];
+      const double share = std::clamp(c.share, off_nodes, 1.0 - off_nodes);
+      add(c, between(placeAt(c.below), placeAt(c.above), share), loop);
+      const std::uint32_t summit = climb_.summit(c.above);
+      loop.is_thin = loop.is_thin && field_.distance[summit] < level_ + finger_radius;
+      if (loop.summits.empty() || loop.summits.back() != summit)
+        loop.summits.push_back(summit);
+      if (isAtFinger(c) && isAtFinger(next))
+        if (const auto bend = bendBetween(c, next))
+          add(c, *bend, loop);
+    }
+    loop.line.measure();
+    return loop;
   }
-  loop.line.measure();
-  return loop;
-}
+
+private:
+  FieldPlace placeAt(std::uint32_t v) const { return {mesh_.positions[v], mesh_.metric[v], field_.distance[v]}; }
+
+  void add(const LevelCrossing& c, const FieldPlace& place, RawLoop& loop) const
+  {
+    loop.line.points.push_back(place.point);
+    loop.line.metric.push_back(place.metric);
+    loop.uphill.push_back(mesh_.positions[c.above] - mesh_.positions[c.below]);
+    loop.is_fine.push_back(field_.is_fine[c.below] && field_.is_fine[c.above]);
+    loop.is_cut.push_back(field_.is_cut[c.below] && field_.is_cut[c.above]);
+    loop.is_near.push_back(band_.isNear(c.below) || band_.isNear(c.above));
+  }
+
+  /** Whether values on the edge are those of the raised field; about summits that a finger reaches they are lowered. */
+  bool isAtFinger(const LevelCrossing& c) const
+  {
+    const double below = values_[c.below] - field_.distance[c.below], above = values_[c.above] - field_.distance[c.above];
+    return raised_ && std::min(below, above) >= 0.0 && std::max(below, above) > 0.0;
+  }
+
+  /** Where the loop runs halfway between two crossings of the edges of a triangle: on the line from the node that the edges share through
+   *  the middle of the chord. None for short chords, and where the loop leaves the triangle. */
+  std::optional<FieldPlace> bendBetween(const LevelCrossing& c, const LevelCrossing& next) const
+  {
+    const bool is_below = c.below == next.below;
+    if (is_below == (c.above == next.above))
+      return std::nullopt;
+    const std::uint32_t node = is_below ? c.below : c.above;
+    const FieldPlace from = placeAt(node), a = placeAt(is_below ? c.above : c.below), b = placeAt(is_below ? next.above : next.below);
+    const double s = is_below ? c.share : 1.0 - c.share, t = is_below ? next.share : 1.0 - next.share;
+    const FieldPlace to = between(a, b, t / (s + t));
+    if (from.metric.length(between(from, a, s).point - between(from, b, t).point) < short_chord)
+      return std::nullopt;
+    std::size_t last = NearestSegment::none;
+    const double f_from = values_[node] - level_, f_to = raised_->at(to, last);
+    if ((f_from < 0.0) == (f_to < 0.0))
+      return std::nullopt;
+    return is_below ? between(from, to, raised_->zero(from, to, f_from, f_to)) : between(to, from, raised_->zero(to, from, f_to, f_from));
+  }
+
+  const StepOverDistance& field_;
+  const StepOverMesh& mesh_;
+  const RidgeBand& band_;
+  const RidgeClimb& climb_;
+  const std::vector<double>& values_;
+  int level_;
+  const RaisedField* raised_;
+};
 
 } // namespace
 
 std::vector<RawLoop>
 traceLoops(const StepOverDistance& field, const RidgeBand& band, const RidgeClimb& climb, const std::vector<double>& values, int level,
-           const std::vector<std::uint32_t>& triangles)
+           const std::vector<std::uint32_t>& triangles, const RaisedField* raised)
 {
+  const LoopTracer tracer(field, band, climb, values, level, raised);
   std::vector<RawLoop> loops;
   for (const LevelLine& line : levelLines(field.mesh.triangles, values, level, triangles)) {
     if (!line.closed || line.crossings.size() < 3)
       continue;
-    RawLoop loop = rawLoop(field, band, climb, line, level);
+    RawLoop loop = tracer.loop(line.crossings);
     if (loop.line.length() > shortest_loop)
       loops.push_back(std::move(loop));
   }

@@ -20,30 +20,19 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double blend = 0.25;                          // of smax
 constexpr double neck_depth = 0.25;                     // how far D rises above a loop's level in a neck that is widened
 constexpr double neck_agreement = 0.5;                  // gradients on its ridge agree at most this much
 constexpr double ridge_agreement = 0.97;                // agreement of gradients about a node of any ridge: cos 14 degrees
 constexpr double tight_neck = 0.25;                     // necks between nodes of the mesh that are narrower than this are widened
 constexpr int most_redrawings = 3;                      // of one level: widened necks may meet other necks
-constexpr double axis_reach = 1.2;                      // a finger changes the field up to this distance from its axis
 constexpr double search_within = 1.2;                   // larger distances are not measured
 constexpr double raised_below = 0.95;                   // levels from one to the nodes that its fingers change
-constexpr double raised_above = finger_radius + blend;  // beyond it, D is the larger in smoothMax
 constexpr std::size_t axis_stride = 8;                  // points of an axis between those about which nodes are looked for
 constexpr double axis_part = 0.5;                       // step-overs: longer than so many points of it
 constexpr std::size_t lower = NearestSegment::none - 1; // label
 constexpr int levels_together = 64;                     // traced, then drawn
 constexpr std::int64_t a_level = 1 << 11;               // what it takes, as a share of the work between two reports of the progress
 constexpr double core_below = 0.38, core_above = 1.31;  // a core is examined between these levels
-
-/** max(a, b) with a rounded corner. */
-double
-smoothMax(double a, double b)
-{
-  const double d = std::max(blend - std::abs(a - b), 0.0);
-  return std::max(a, b) + d * d / (4.0 * blend);
-}
 
 /** The loops of a level, and the axes of their fingers. */
 struct DrawnLevel {
@@ -124,7 +113,7 @@ private:
   void addLines(const std::vector<RawLoop>& below, const std::vector<RawLoop>& above, Between& at) const;
   void findCores(Between& at, std::vector<FingerAxis>& axes);
   void findFingersOf(const Between& at, std::vector<FingerAxis>& axes);
-  void raise(int level, const std::vector<FingerAxis>& axes, const std::vector<std::uint32_t>& thin, std::vector<std::uint32_t>& changed);
+  std::vector<std::uint32_t> nodesAbout(int level, const std::vector<FingerAxis>& axes);
   std::vector<RawLoop> redrawn(int level, const std::vector<FingerAxis>& axes, const std::vector<std::uint32_t>& thin);
 
   const StepOverDistance& field_;
@@ -257,55 +246,46 @@ LoopMaker::findFingersOf(const Between& at, std::vector<FingerAxis>& axes)
   findFingers(field_, climb_, gap, scratch_, axes);
 }
 
-/** F := smax(D, level + finger_radius - distance from the axes) about \p axes; \p thin nodes are put below the level. */
-void
-LoopMaker::raise(int level, const std::vector<FingerAxis>& axes, const std::vector<std::uint32_t>& thin,
-                 std::vector<std::uint32_t>& changed)
+/** Nodes of the band that fingers about \p axes may raise. */
+std::vector<std::uint32_t>
+LoopMaker::nodesAbout(int level, const std::vector<FingerAxis>& axes)
 {
-  SegmentSet lines;
-  for (const FingerAxis& axis : axes) {
-    lines.add(axis.points, false);
+  std::vector<std::uint32_t> nodes;
+  for (const FingerAxis& axis : axes)
     for (std::size_t i = 0; i < axis.points.size(); i += axis_stride)
-      band_.forNodesNear(axis.points[i], (axis_reach + axis_part) * longestStepOver(axis.metric[i]), [&](std::uint32_t v) {
-        if (field_.distance[v] > level - raised_below && field_.distance[v] < level + raised_above && scratch_[v] == 0) {
+      band_.forNodesNear(axis.points[i], (RaisedField::reach + axis_part) * longestStepOver(axis.metric[i]), [&](std::uint32_t v) {
+        if (field_.distance[v] > level - raised_below && field_.distance[v] < level + RaisedField::mostRaised() && scratch_[v] == 0) {
           scratch_[v] = 1;
-          changed.push_back(v);
+          nodes.push_back(v);
         }
       });
-  }
-  lines.build();
-  for (const std::uint32_t v : changed)
+  for (const std::uint32_t v : nodes)
     scratch_[v] = 0;
-  for (const std::uint32_t v : thin)
-    values_[v] = level - std::max(0.05, field_.distance[v] - level);
-  std::size_t last = NearestSegment::none;
-  for (const std::uint32_t v : changed) {
-    const double over = values_[v] - level, within = std::min(axis_reach, raised_above - over);
-    const NearestSegment near = lines.nearestFrom(last, field_.mesh.positions[v], field_.mesh.metric[v], within);
-    const double d = near.distance;
-    if (near.segment != NearestSegment::none)
-      last = near.segment;
-    if (d < within)
-      values_[v] = level + smoothMax(over, finger_radius - d);
-  }
-  changed.insert(changed.end(), thin.begin(), thin.end());
+  return nodes;
 }
 
+/** The loops of the field raised about \p axes; \p thin nodes are put below the level. */
 std::vector<RawLoop>
 LoopMaker::redrawn(int level, const std::vector<FingerAxis>& axes, const std::vector<std::uint32_t>& thin)
 {
-  std::vector<std::uint32_t> changed;
-  raise(level, axes, thin, changed);
-  const Triangulation& mesh = field_.mesh.triangles;
+  const StepOverMesh& mesh = field_.mesh;
+  const RaisedField raised(level, axes);
+  std::vector<std::uint32_t> changed = nodesAbout(level, axes);
+  for (const std::uint32_t v : thin)
+    values_[v] = level - std::max(0.05, field_.distance[v] - level);
+  std::size_t last = NearestSegment::none;
+  for (const std::uint32_t v : changed)
+    values_[v] = level + raised.at({mesh.positions[v], mesh.metric[v], values_[v]}, last);
+  changed.insert(changed.end(), thin.begin(), thin.end());
   std::vector<std::uint32_t> crossed, triangles;
   for (const std::uint32_t v : changed)
-    for (std::size_t o = mesh.outgoingBegin(v); o < mesh.outgoingBegin(v + 1); ++o)
-      if (const auto [low, high] = rangeOf(values_, mesh.triangle(mesh.outgoing(o) / 3)); low < level && level <= high)
-        crossed.push_back(mesh.outgoing(o) / 3);
+    for (std::size_t o = mesh.triangles.outgoingBegin(v); o < mesh.triangles.outgoingBegin(v + 1); ++o)
+      if (const auto [low, high] = rangeOf(values_, mesh.triangles.triangle(mesh.triangles.outgoing(o) / 3)); low < level && level <= high)
+        crossed.push_back(mesh.triangles.outgoing(o) / 3);
   std::sort(crossed.begin(), crossed.end());
   crossed.erase(std::unique(crossed.begin(), crossed.end()), crossed.end());
   std::set_union(triangles_[level].begin(), triangles_[level].end(), crossed.begin(), crossed.end(), std::back_inserter(triangles));
-  std::vector<RawLoop> loops = traceLoops(field_, band_, climb_, values_, level, triangles);
+  std::vector<RawLoop> loops = traceLoops(field_, band_, climb_, values_, level, triangles, &raised);
   for (const std::uint32_t v : changed)
     values_[v] = field_.distance[v];
   return loops;
@@ -341,7 +321,7 @@ LoopMaker::drawnLevel(int k, const std::vector<RawLoop>& below, const std::vecto
 }
 
 /** How many levels on from one the next begins whose nodes it neither changes nor reads. A level changes nodes in a range of D of
- *  raised_below + raised_above about it, and reads those of the triangles about these. */
+ *  raised_below + mostRaised() about it, and reads those of the triangles about these. */
 int
 LoopMaker::levelsApart() const
 {
@@ -353,7 +333,7 @@ LoopMaker::levelsApart() const
     const auto [low, high] = rangeOf(field_.distance, t.triangle(i));
     widest = std::max(widest, high - low);
   }
-  return static_cast<int>(std::floor(raised_below + raised_above + widest)) + 1;
+  return static_cast<int>(std::floor(raised_below + RaisedField::mostRaised() + widest)) + 1;
 }
 
 } // namespace
