@@ -93,6 +93,19 @@ TEST(RimOffset, BeyondTheRimThePathRunsOnStraight)
   }
 }
 
+TEST(RimOffset, AnOverhangLongerThanThePartIsRefused)
+{
+  for (const double overhang : {200.0, 1e30}) {
+    Generator generator = generatorOf(*bowl(0.0), 2000, SpiralMethod::Radial);
+    generator.setRimOverhang(overhang);
+    Path path;
+    generator.compute(path);
+    EXPECT_EQ(generator.getStatus().code(), StatusCode::InvalidArgument);
+    EXPECT_NE(generator.getStatus().message().find("from end to end"), std::string::npos) << generator.getStatus().message();
+    EXPECT_TRUE(path.empty());
+  }
+}
+
 TEST(RimOffset, HolesKeepTheirMargin)
 {
   Generator generator = generatorOf(*bowl(20.0), 6000, SpiralMethod::Radial);

@@ -72,7 +72,7 @@ TEST(AddScallopLoops, RidgesLieWhereBothSidesAreAsFar)
   for (const std::uint32_t v : ridgeNodes(*field)) {
     const Eigen::Vector3d& p = field->mesh.positions[v];
     const double off = std::max(std::abs(p.y()) - std::max(0.0, std::abs(p.x()) - 30.0), 0.0); // from the roof over the strip
-    EXPECT_LT(off, 1.0) << p.transpose();
+    EXPECT_LT(off, 1.2) << p.transpose(); // 0.6 step-overs: a front is late by up to a quarter, and the mesh has edges of that length
     middle += std::abs(p.x()) < 25.0;
   }
   EXPECT_GT(middle, 100u);

@@ -11,7 +11,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double trim = finger_radius + 0.42;
 constexpr std::size_t most_branches = 30;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -46,7 +45,7 @@ public:
     const std::size_t b = farthestOpen();
     const FingerAxis trunk = axisOver(field_.mesh, wayTo(b), 20);
     const double length = arcsOf(trunk).back();
-    add(partOf(trunk, trim, length - trim), axes);
+    add(partOf(trunk, finger_trim, length - finger_trim), axes);
     for (std::size_t i = 0; i < most_branches; ++i)
       if (!addBranch(axes))
         return;
@@ -64,8 +63,8 @@ private:
     const FingerAxis branch = axisOver(field_.mesh, wayTo(b), 10);
     open_[b] = 0;
     const double length = arcsOf(branch).back();
-    if (length > trim)
-      add(partOf(branch, 0.0, length - trim), axes);
+    if (length > finger_trim)
+      add(partOf(branch, 0.0, length - finger_trim), axes);
     return true;
   }
   void add(const FingerAxis& axis, std::vector<FingerAxis>& axes)
@@ -77,7 +76,7 @@ private:
     line.build();
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (open_[i] &&
-          line.nearest(field_.mesh.positions[nodes_[i]], field_.mesh.metric[nodes_[i]], trim + 0.02).segment != NearestSegment::none)
+          line.nearest(field_.mesh.positions[nodes_[i]], field_.mesh.metric[nodes_[i]], finger_trim + 0.02).segment != NearestSegment::none)
         open_[i] = 0;
   }
   /** The node nearest to each point of the axes found so far. */

@@ -9,8 +9,6 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double tip_gap = 0.42;                        // a finger ends this far before the place it must reach
-constexpr double finger_trim = finger_radius + tip_gap; // cut off an axis at its lower end
 constexpr double covered_by_axis = finger_trim + 0.02;
 constexpr double neck_step = 0.2;       // distance between the starts of axes in necks
 constexpr double worth_an_axis = 0.525; // nearer places are reached by moving the path (coverPath)

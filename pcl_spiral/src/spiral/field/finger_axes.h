@@ -16,6 +16,10 @@ namespace pcl_spiral {
 
 /** Half the width of a finger, step-overs. */
 constexpr double finger_radius = 0.3;
+/** Cut off an axis at an end that is not within a loop, step-overs: a finger covers half a step-over beyond its edge, less a hundredth for
+ *  what is not straight. Measured on the table of outlines with 0.42, 0.46 and 0.48 in place of 0.49: paths 0.1, 0.02 and 0.01 % longer,
+ *  p99.9 of the scallops 1.0088, 1.0090 and 1.0090 h in place of 1.0094; with 0.50 one path gets bends sharper than 0.2. */
+constexpr double finger_trim = finger_radius + 0.49;
 /** A node farther from all loops than this is uncovered, step-overs. */
 constexpr double covered_within = 0.504;
 

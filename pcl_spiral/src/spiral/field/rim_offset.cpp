@@ -6,6 +6,8 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <utility>
 
@@ -21,6 +23,14 @@ moveBeyond(Surface::ConstPtr& surface, double overhang, std::vector<BoundaryLoop
   const auto rim = std::find_if(loops.begin(), loops.end(), [](const auto& loop) { return loop.type == LoopType::Outer; });
   if (rim == loops.end())
     return {StatusCode::InvalidInput, "none of the loops is an outer one, so there is no rim to go beyond: give the outer loop"};
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : rim->curve)
+    box.extend(p);
+  if (const double part = box.diagonal().norm(); overhang > part)
+    return {StatusCode::InvalidArgument,
+            Diagnostic("the overhang at the rim is ", overhang, " {mm}, but the part is only ", part,
+                       " {mm} from end to end, and says nothing of what is so far beside it: make the distance "
+                       "smaller ({setRimOverhang})")};
   const RimBand band(*surface, rim->curve);
   Polyline curve = band.line(overhang, 0.5 * surface->spacing());
   if (curve.size() < 8)
