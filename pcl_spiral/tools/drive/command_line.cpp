@@ -13,24 +13,22 @@ namespace {
 OptionGroup
 files(Job& job)
 {
-  OptionGroup group{
-      "Files",
-      {textOption("scan", "FILE", "the scan: .pcd .ply .xyz .txt .csv .asc .pts .las .stl .obj; --scan itself can be left out: part.pcd",
-                  job.scan),
-       {"output", "FILE",
-        "output file, its kind by extension; repeat it for each file: -o part.csv -o part.ngc\n"
-        ".csv .vtp  the path with cutter tips; Turn is the number of the pass\n"
-        ".pcd .ply  the path of a ball cutter\n"
-        ".ngc .nc .mpf .h  program for a machine; see --machine\n"
-        ".apt .cls  CLDATA    .yaml  robot frames: metres, z along the tool axis; see --robot-z\n"
-        ".json  report: settings, counts, states, collisions, times; .html readable, with pictures\n"
-        ".png  picture of the passes on the part; with a machine also NAME_rotary.png: rotary angles",
-        [&job](const std::string& value) { job.outputs.push_back(value); }, true},
-       switchOption("mesh",
-                    "the file is a mesh, .stl .obj .ply, and its faces are used: planes cut the curved surface behind "
-                    "them; without --mesh its vertices are a scan",
-                    job.mesh),
-       placeOption("view-point", view_point_help, job.view_point)}};
+  OptionGroup group{"Files",
+                    {textOption("scan", "FILE", "the scan: " + scanExtensions() + "; --scan itself can be left out: part.pcd", job.scan),
+                     {"output", "FILE",
+                      "output file, its kind by extension; repeat it for each file: -o part.csv -o part.ngc\n"
+                      ".csv .vtp  the path with cutter tips; Turn is the number of the pass\n"
+                      ".pcd .ply  the path of a ball cutter\n"
+                      ".ngc .nc .mpf .h  program for a machine; see --machine\n"
+                      ".apt .cls  CLDATA    .yaml  robot frames: metres, z along the tool axis; see --robot-z\n"
+                      ".json  report: settings, counts, states, collisions, times; .html readable, with pictures\n"
+                      ".png  picture of the passes on the part; with a machine also NAME_rotary.png: rotary angles",
+                      [&job](const std::string& value) { job.outputs.push_back(value); }, true},
+                     switchOption("mesh",
+                                  "the file is a mesh, .stl .obj .ply, and its faces are used: planes cut the curved surface behind "
+                                  "them; without --mesh its vertices are a scan",
+                                  job.mesh),
+                     placeOption("view-point", view_point_help, job.view_point)}};
   addOptions(group, {textOption("raw-scan", "FILE", raw_scan_help, job.raw_scan)});
   addOptions(group, readOptions(job.read));
   addOptions(group, scanOptions(job));

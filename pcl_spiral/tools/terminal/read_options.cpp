@@ -10,6 +10,15 @@ const char* const skip_lines_help = "lines at the beginning of a text file that 
 const char* const raw_scan_help =
     "the scan before it was smoothed: says what smoothing moved, and the path must not cut into its points: --raw-scan raw.pcd";
 
+std::string
+scanExtensions()
+{
+  std::string list;
+  for (const std::string& extension : cloudExtensions())
+    list += (list.empty() ? "" : " ") + extension;
+  return list;
+}
+
 std::size_t
 skipLinesValue(const std::string& value)
 {

@@ -17,6 +17,9 @@ extern const char* const columns_help;
 extern const char* const skip_lines_help;
 extern const char* const raw_scan_help;
 
+/** ".pcd .ply .xyz", and so on: the extensions of scans. */
+std::string scanExtensions();
+
 /** The number of --skip-lines. \throw UsageError */
 std::size_t skipLinesValue(const std::string& value);
 

@@ -58,7 +58,7 @@ files(Job& job)
 {
   OptionGroup group{
       "Files",
-      {{"scan", "FILE", ".pcd .ply .xyz .txt .csv .asc .pts .las .stl .obj, or with --mesh a mesh; --scan itself can be left out: part.pcd",
+      {{"scan", "FILE", scanExtensions() + ", or with --mesh a mesh; --scan itself can be left out: part.pcd",
         [&job](const std::string& value) { job.scan = value; }},
        {"output", "FILE",
         "output file, its kind by extension; repeat it for each file: -o part.csv -o part.vtp\n"

@@ -102,21 +102,29 @@ void writeSiemens(const std::string& file, const MachineProgram& program, const 
  *  of the tip, which gives the block its time, M129, M30. \throw FileError */
 void writeHeidenhain(const std::string& file, const MachineProgram& program, const ProgramHeader& header);
 
-/** Name, needs and writer of a language. */
+/** What a language is called and takes, and its writer. */
 struct DialectEntry {
-  Dialect dialect;       ///< the language
-  const char* word;      ///< in options and job files
-  const char* extension; ///< of files that are always in this language; none: "". Any other program is a .nc
-  bool needs_rtcp;       ///< it takes only tips and tool axes, no rotary angles
+  Dialect dialect;         ///< the language
+  const char* word;        ///< in options and job files
+  const char* extension;   ///< of files that are always in this language; none: "". Any other program is a .nc
+  bool needs_rtcp;         ///< it takes only tips and tool axes, no rotary angles
+  bool feeds_tip;          ///< with tip control, F may be in mm/min of the tip (FeedMode::PerMinute)
+  const char* offsets;     ///< a regular expression for its work offsets
+  const char* offset_help; ///< the same in words
   void (*write)(const std::string&, const MachineProgram&, const ProgramHeader&); ///< its writer
 };
 
-/** All languages. A new one needs a line here, its value above, and a file with its writer. */
-inline constexpr std::array<DialectEntry, 5> dialect_entries{{{Dialect::LinuxCNC, "linuxcnc", ".ngc", false, writeLinuxCNC},
-                                                              {Dialect::Fanuc, "fanuc", "", false, writeFanuc},
-                                                              {Dialect::FanucVectors, "fanuc-ijk", "", true, writeFanucVectors},
-                                                              {Dialect::Siemens, "siemens", ".mpf", true, writeSiemens},
-                                                              {Dialect::Heidenhain, "heidenhain", ".h", true, writeHeidenhain}}};
+/** All languages. A new one needs an entry here, its value and the declaration of its writer above, and a file with the writer. */
+inline constexpr std::array dialect_entries{
+    DialectEntry{Dialect::LinuxCNC, "linuxcnc", ".ngc", false, false, "G5[4-9]|G59\\.[123]", "G54 to G59, or G59.1 to G59.3",
+                 writeLinuxCNC},
+    DialectEntry{Dialect::Fanuc, "fanuc", "", false, true, "G5[4-9]|G54\\.1 P([1-9]|[1-9][0-9]|[12][0-9][0-9]|300)",
+                 "G54 to G59, or G54.1 P1 to G54.1 P300", writeFanuc},
+    DialectEntry{Dialect::FanucVectors, "fanuc-ijk", "", true, true, "G5[4-9]|G54\\.1 P([1-9]|[1-9][0-9]|[12][0-9][0-9]|300)",
+                 "G54 to G59, or G54.1 P1 to G54.1 P300", writeFanucVectors},
+    DialectEntry{Dialect::Siemens, "siemens", ".mpf", true, true, "G5[4-7]|G50[5-9]|G5[1-9][0-9]", "G54 to G57, or G505 to G599",
+                 writeSiemens},
+    DialectEntry{Dialect::Heidenhain, "heidenhain", ".h", true, false, "[0-9]{1,4}", "the number of a preset, such as 1", writeHeidenhain}};
 
 /** The entry of \p dialect. */
 const DialectEntry& entryOf(Dialect dialect);

@@ -44,6 +44,20 @@ faultOfKinematics(Dialect dialect, const Machine& machine)
   return {};
 }
 
+/** "fanuc, fanuc-ijk or siemens": the languages whose F may be in mm/min of the tip. */
+std::string
+feedingTip()
+{
+  std::vector<std::string> words;
+  for (const DialectEntry& entry : dialect_entries)
+    if (entry.feeds_tip)
+      words.emplace_back(entry.word);
+  std::string list = words.front();
+  for (std::size_t i = 1; i < words.size(); ++i)
+    list += (i + 1 == words.size() ? " or " : ", ") + words[i];
+  return list;
+}
+
 Diagnostic
 faultOfHeader(Dialect dialect, const Machine& machine, const ProgramHeader& header)
 {
@@ -57,9 +71,9 @@ faultOfHeader(Dialect dialect, const Machine& machine, const ProgramHeader& head
   if (header.coolant == Coolant::Through && machine.words.through.empty())
     return "coolant through the spindle has another word on each machine; give it in the machine file, such as program: {{coolant: "
            "{{through: M88}}}}";
-  const bool follows = dialect == Dialect::Fanuc || dialect == Dialect::FanucVectors || dialect == Dialect::Siemens;
+  const bool follows = entryOf(dialect).feeds_tip;
   if (header.feed_mode == FeedMode::PerMinute && !machine.three_axes && !(follows && machine.rtcp))
-    return Diagnostic("a feed in mm/min of the tip needs ", follows ? "rtcp: true" : "fanuc, fanuc-ijk or siemens",
+    return Diagnostic("a feed in mm/min of the tip needs ", follows ? "rtcp: true" : feedingTip(),
                       "; take inverse time, the time of each block, instead ({FeedMode})");
   return {};
 }
@@ -95,21 +109,9 @@ faultOfShopLine(const std::string& line)
 Diagnostic
 faultOfOffset(Dialect dialect, const std::string& offset)
 {
-  const auto check = [&offset](const char* pattern, const char* forms) {
-    return std::regex_match(offset, std::regex(pattern)) ? Diagnostic() : Diagnostic("is none of this control; give ", forms);
-  };
-  switch (dialect) {
-  case Dialect::LinuxCNC:
-    return check("G5[4-9]|G59\\.[123]", "G54 to G59, or G59.1 to G59.3");
-  case Dialect::Fanuc:
-  case Dialect::FanucVectors:
-    return check("G5[4-9]|G54\\.1 P([1-9]|[1-9][0-9]|[12][0-9][0-9]|300)", "G54 to G59, or G54.1 P1 to G54.1 P300");
-  case Dialect::Siemens:
-    return check("G5[4-7]|G50[5-9]|G5[1-9][0-9]", "G54 to G57, or G505 to G599");
-  case Dialect::Heidenhain:
-    return check("[0-9]{1,4}", "the number of a preset, such as 1");
-  }
-  return {};
+  const DialectEntry& entry = entryOf(dialect);
+  return std::regex_match(offset, std::regex(entry.offsets)) ? Diagnostic()
+                                                             : Diagnostic("is none of this control; give ", entry.offset_help);
 }
 
 Diagnostic

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "cloud_formats.h"
 #include "common/shell_word.h"
 #include "found_degrees.h"
 #include "found_format.h"
@@ -18,32 +19,13 @@
 namespace pcl_spiral {
 namespace {
 
-/** Text in columns, which may be named. */
-bool
-hasColumns(const std::string& extension)
+/** The format of \p extension; null for a name that says nothing. */
+const CloudFormat*
+formatNamed(const std::string& extension)
 {
-  return extension == ".xyz" || extension == ".txt" || extension == ".csv" || extension == ".asc";
-}
-
-PointTable
-readTable(const std::string& file, const std::string& bytes, const std::string& extension, const TextLayout& layout)
-{
-  constexpr NormalColumns normals = NormalColumns::Read;
-  const Names xyz{"x", "y", "z"};
-  if (extension == ".stl")
-    return readStlTable(file, bytes);
-  if (extension == ".las")
-    return readLasTable(file, bytes, *layout.warnings);
-  refuseWideText(file, bytes);
-  if (extension == ".pcd")
-    return readPcdTable(file, bytes, xyz, normals);
-  if (extension == ".ply")
-    return readPlyTable(file, bytes, xyz, normals);
-  if (extension == ".obj")
-    return readObjTable(file, bytes);
-  if (extension == ".pts")
-    return readPtsTable(file, bytes, layout);
-  return readTextTable(file, bytes, xyz, layout, normals);
+  const auto* const found = std::find_if(cloud_formats.begin(), cloud_formats.end(),
+                                         [&extension](const CloudFormat& format) { return format.extension == extension; });
+  return found == cloud_formats.end() ? nullptr : found;
 }
 
 /** \throw FileError if the name has the extension of a format that is not read */
@@ -53,19 +35,21 @@ requireKnownName(const std::string& file)
   const std::string extension = lowerExtension(file);
   if (extension == ".laz" || extension == ".e57")
     throw FileError(file, Diagnostic(extension, " is not read; ", conversionRemedy(file)));
-  const auto& known = cloudExtensions();
-  if (std::find(known.begin(), known.end(), extension) == known.end() && !isNameless(file))
-    throw FileError(
-        file, Diagnostic("extension '", extension, "' is not known for a scan; use .pcd .ply .xyz .txt .csv .asc .pts .las .stl or .obj"));
+  if (formatNamed(extension) || isNameless(file))
+    return;
+  std::string known;
+  for (const std::string& one : cloudExtensions())
+    known += (known.empty() ? "" : &one == &cloudExtensions().back() ? " or " : " ") + one;
+  throw FileError(file, Diagnostic("extension '", extension, "' is not known for a scan; use ", known));
 }
 
 /** Refuses what is said of a text if the file is none. */
 void
-requireText(const std::string& file, const std::string& extension, const ReadOptions& options)
+requireText(const std::string& file, const CloudFormat& format, const ReadOptions& options)
 {
-  if (!options.columns.empty() && !hasColumns(extension))
+  if (!options.columns.empty() && format.use != TextUse::Columns)
     throw FileError(file, "only the columns of text files can be named; leave {ReadOptions::columns} out");
-  if (options.skip_lines > 0 && !hasColumns(extension) && extension != ".pts")
+  if (options.skip_lines > 0 && format.use != TextUse::Columns && format.use != TextUse::Lines)
     throw FileError(file, "only lines of text files can be skipped; leave {ReadOptions::skip_lines} out");
 }
 
@@ -74,7 +58,12 @@ requireText(const std::string& file, const std::string& extension, const ReadOpt
 const std::vector<std::string>&
 cloudExtensions()
 {
-  static const std::vector<std::string> extensions{".pcd", ".ply", ".xyz", ".txt", ".csv", ".asc", ".pts", ".las", ".stl", ".obj"};
+  static const std::vector<std::string> extensions = [] {
+    std::vector<std::string> list;
+    for (const CloudFormat& format : cloud_formats)
+      list.emplace_back(format.extension);
+    return list;
+  }();
   return extensions;
 }
 
@@ -94,13 +83,16 @@ readCloud(const std::string& file, const ReadOptions& options)
 {
   requireKnownName(file);
   if (!isNameless(file))
-    requireText(file, lowerExtension(file), options);
+    requireText(file, *formatNamed(lowerExtension(file)), options);
   const std::string bytes = readStream(file);
   const std::string extension = formatOf(file, bytes, cloudExtensions());
-  requireText(file, extension, options);
+  const CloudFormat& format = *formatNamed(extension);
+  requireText(file, format, options);
+  if (format.use != TextUse::None)
+    refuseWideText(file, bytes);
 
   Scan scan;
-  const PointTable table = readTable(file, bytes, extension, {options.columns, options.skip_lines, &scan.warnings});
+  const PointTable table = format.read(file, bytes, {options.columns, options.skip_lines, &scan.warnings});
   if (extension != ".las" && looksLikeDegrees(table))
     scan.warnings.push_back(Diagnostic(file, ": the coordinates look as if they ", degreesRemedy(file, table, false)));
   ScaledPoints points = scaledPoints(file, table, options);
