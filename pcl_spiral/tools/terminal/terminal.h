@@ -50,7 +50,7 @@ private:
   std::string last_stage_;
 };
 
-/** "pcl_spiral_verify 0.1.0, 2025-03-01 14:05 UTC" */
+/** "pcl_spiral_verify 0.2.0, 2025-03-01 14:05 UTC" */
 std::string madeBy(const std::string& program);
 
 /** "12.3 s", "4.5 min", "3 h 20 min" */

@@ -13,7 +13,7 @@ namespace pcl_spiral {
 /** Head and foot of a report. */
 struct ReportPage {
   std::string title;   ///< such as the scan's name
-  std::string made;    ///< program and time: "pcl_spiral_toolpath 0.1.0, 2025-03-01 14:05 UTC"
+  std::string made;    ///< program and time: "pcl_spiral_toolpath 0.2.0, 2025-03-01 14:05 UTC"
   std::string command; ///< the command line that made it; empty: not shown
 };
 
