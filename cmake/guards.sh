@@ -185,6 +185,31 @@ untried_lines() {
 }
 fault "lines of code that are in no example" "$(untried_lines)"
 
+# Constants on the pages are those of the code: | `name = value, name = value` in `src/room/file.cpp` | ...
+stale_constants() {
+  perl -ne '
+    next unless /^\| `([^`]+ = [^`]+)` in `([^`]+)` \|/;
+    my ($constants, $name) = ($1, $2);
+    my $code = "";
+    if (open my $file, "<", "'$library'/$name") { local $/; $code = <$file> }
+    print "$ARGV: $constants in $name\n" unless $code =~ /\b\Q$constants\E\s*[;,]/' $library/doc/constants*.md
+}
+fault "constants on a page that the code has no more, or with another value" "$(stale_constants)"
+
+# Files that the pages name; a name alone is that of a file in any folder.
+missing_files() {
+  local tree
+  tree=$(find $library examples cmake test README.md .github -type f 2>/dev/null || true)
+  perl -ne '
+    BEGIN { my $list = shift; $list =~ s{^}{/}mg; $tree = "$list\n"; $has_test = $list =~ m{^/test/}m }
+    while (/`([a-z0-9_.\/]+\.(?:h|hpp|cpp|cmake|sh|md|yml|ya?ml|py|txt))`/g) {
+      my $name = $1;
+      next if $name =~ m{^foo\.} || ($name =~ m{^test/} && !$has_test);
+      print "$ARGV: $name\n" unless $tree =~ m{/\Q$name\E\n};
+    }' "$tree" $library/doc/{code_map,contributing,development}.md
+}
+fault "files that a page names and that are not there" "$(missing_files)"
+
 # Doxygen takes any word after \\p; the declaration that follows has to know it.
 wrong_names() {
   find $library/include -name '*.h' -print0 | xargs -0 perl -0777 -ne '

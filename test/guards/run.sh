@@ -75,4 +75,6 @@ plant examples/example_stage_by_stage.cpp "$(yes '// more' | head -n 20)"
 plant pcl_spiral/doc/stage_by_stage.md '```cpp
 surface->noSuchFunction();
 ```'
+plant pcl_spiral/doc/constants_path.md '| `tie = 1.5` in `src/spiral/method_choice.cpp` | ratio | planted | planted |'
+plant pcl_spiral/doc/code_map.md 'See `src/spiral/planted.cpp`.'
 exit $missed
