@@ -16,7 +16,7 @@ document() { # SOURCE_DIR OUTPUT_DIR
 
 html=$scratch/own/html
 document "$source_dir" "$scratch/own"
-grep -q 'setScallopHeight' "$html/classpcl__spiral_1_1SpiralToolpathGenerator.html" || fail "a class is missing"
+grep -q 'setPlanner' "$html/classpcl__spiral_1_1SpiralToolpathGenerator.html" || fail "a class is missing"
 grep -q 'Two commands' "$html/index.html" || fail "README is not the first page"
 for picture in "$source_dir"/pcl_spiral/doc/*.png; do
   grep -q "src=\"$(basename "$picture")\"" "$html"/md_*.html "$html/index.html" || fail "no page shows $picture"

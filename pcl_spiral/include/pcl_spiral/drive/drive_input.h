@@ -133,7 +133,7 @@ public:
   const DriveSettings& getSettings() const { return settings_; } ///< The value of setSettings.
 
 protected:
-  DriveSettings settings_;
+  DriveSettings settings_;    ///< of the setters
   ProgressCallback progress_; ///< of setProgressCallback
 };
 

@@ -32,7 +32,7 @@ public:
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  std::size_t size() const { return targets_.size(); }
+  std::size_t size() const { return targets_.size(); } ///< Number of files.
   /** The path as given. */
   const std::string& path(std::size_t i) const { return paths_[i]; }
   /** Temporary name to write the file \p i to, with the same extension. */

@@ -33,12 +33,13 @@ struct DriveRun : PassRun {
 
 /** Rows of RidgePlanner, with what it was told. */
 struct RidgeRun : PassRun {
-  std::string rail, generator; ///< files of the measured lines; empty: both were found in the scan
-  RidgeSettings ridge;         ///< of measured lines
-  RidgeRowSettings rows;       ///< of the planner
-  Polyline rough_points;       ///< RidgePlanner::setRoughPoints
-  double half_width = 0.0;     ///< RidgePlanner::setHalfWidth
-  bool closed = false;         ///< RidgePlanner::setClosed
+  std::string rail;        ///< file of the measured rail; empty: both lines were found in the scan
+  std::string generator;   ///< the same of the generator
+  RidgeSettings ridge;     ///< of measured lines
+  RidgeRowSettings rows;   ///< of the planner
+  Polyline rough_points;   ///< RidgePlanner::setRoughPoints
+  double half_width = 0.0; ///< RidgePlanner::setHalfWidth
+  bool closed = false;     ///< RidgePlanner::setClosed
 };
 
 /** Settings, counts, states of locations, collisions, times and warnings of a drive path. \throw FileError; std::invalid_argument for

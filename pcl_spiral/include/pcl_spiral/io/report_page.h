@@ -19,8 +19,8 @@ struct ReportPage {
 
 /** A picture of a report. */
 struct ReportPicture {
-  std::string file; ///< PNG; its bytes go into the report
-  std::string caption;
+  std::string file;    ///< PNG; its bytes go into the report
+  std::string caption; ///< below the picture
 };
 
 /** Options of a program by name, with their values as given; "output" once for each file. */

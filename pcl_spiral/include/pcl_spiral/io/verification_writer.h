@@ -19,21 +19,21 @@ namespace pcl_spiral {
 
 /** A mesh that toolpaths were judged by. Lengths in mm. */
 struct JudgedMesh {
-  MeshCounts counts;
-  MeshSettings settings;
+  MeshCounts counts;            ///< of the file
+  MeshSettings settings;        ///< by which it was read
   std::size_t judged_faces = 0; ///< all; of a closed mesh only those that the last path touched
-  double sample_spacing = 0.0;
+  double sample_spacing = 0.0;  ///< distance of the samples
 };
 
 /** What toolpaths were judged by. */
 struct VerificationRun {
-  std::string scan;                         ///< or mesh
-  LengthUnit unit = LengthUnit::Millimetre; ///< of the numbers in the scan
-  CutterShape cutter;
-  double scallop_height = 0.0; ///< mm
-  double chord_error = 0.0;    ///< mm
-  Diagnostics warnings;        ///< from reading
-  Limits limits;
+  std::string scan;                                ///< or mesh
+  LengthUnit unit = LengthUnit::Millimetre;        ///< of the numbers in the scan
+  CutterShape cutter;                              ///< that was swept
+  double scallop_height = 0.0;                     ///< mm
+  double chord_error = 0.0;                        ///< mm
+  Diagnostics warnings;                            ///< from reading
+  Limits limits;                                   ///< that the paths had to keep
   std::optional<JudgedMesh> mesh = std::nullopt;   ///< absent: a scan
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift: added to all places
   Vocabulary words = {};                           ///< of what the verifications say

@@ -22,7 +22,8 @@ enum class RidgeFault {
 
 /** Lines and rows of a ridge. Lengths in mm. */
 struct RidgeFigures {
-  Polyline rail, generator;             ///< measured points, or those found in the scan
+  Polyline rail;                        ///< measured points, or those found in the scan
+  Polyline generator;                   ///< the same of the other line
   RidgeSurface::ConstPtr ridge;         ///< null if it could not be made
   std::optional<ScanRidgeReport> found; ///< if both lines were found in the scan
   RidgeRowReport rows;                  ///< its warnings are in those of the plan

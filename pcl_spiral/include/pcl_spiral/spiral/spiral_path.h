@@ -28,9 +28,10 @@ struct SpiralPoint {
 
 /** Where a point of a curve is on the surface. */
 struct CurveFoot {
-  Eigen::Vector3d position, normal; ///< mm; unit
-  double nearest_distance;          ///< from the nearest point of the scan, mm
-  std::uint32_t nearest;            ///< that point
+  Eigen::Vector3d position; ///< mm
+  Eigen::Vector3d normal;   ///< unit
+  double nearest_distance;  ///< from the nearest point of the scan, mm
+  std::uint32_t nearest;    ///< that point
 };
 
 /** Feet of a curve that are known before it is put on the surface: those from which the length of its moves was found. */
