@@ -210,6 +210,9 @@ missing_files() {
 }
 fault "files that a page names and that are not there" "$(missing_files)"
 
+fault "pages of over 150 lines (settings.md is made from the tables)" \
+  "$(find $library/doc -name '*.md' ! -name settings.md | sort | xargs awk 'FNR == 151 { print FILENAME }')"
+
 # Doxygen takes any word after \\p; the declaration that follows has to know it.
 wrong_names() {
   find $library/include -name '*.h' -print0 | xargs -0 perl -0777 -ne '

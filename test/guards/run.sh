@@ -77,4 +77,5 @@ surface->noSuchFunction();
 ```'
 plant pcl_spiral/doc/constants_path.md '| `tie = 1.5` in `src/spiral/method_choice.cpp` | ratio | planted | planted |'
 plant pcl_spiral/doc/code_map.md 'See `src/spiral/planted.cpp`.'
+plant pcl_spiral/doc/limits.md "$(yes 'more' | head -n 150)"
 exit $missed
