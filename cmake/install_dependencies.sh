@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the missing Debian packages: as root or with sudo; otherwise it lists them.
-# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [doc] [python] [releases]
+# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [sanitizers] [lint] [doc] [python] [releases]
 # (without names: build)
 set -euo pipefail
 
@@ -11,6 +11,8 @@ test=(libgtest-dev pkg-config groff-base linuxcnc-uspace admesh) # linuxcnc: its
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev libcgal-dev) # CGAL's slicer of meshes runs beside ours
 fuzz=(clang libclang-rt-dev) # libFuzzer; no test needs it
+sanitizers=(clang libclang-rt-dev libomp-dev) # presets asan and tsan
+lint=(clang-format-14 clang-tidy-14 libomp-14-dev) # other versions break lines elsewhere and have other checks; in Debian 12
 doc=(doxygen)
 python=(python3-dev pybind11-dev python3-numpy # the module, and arrays that it takes and gives
   python3-pytest mypy) # its tests, and the check of its types
@@ -24,10 +26,15 @@ for group in "${@:-build}"; do
     display) wanted+=("${display[@]}") ;;
     benchmark) wanted+=("${benchmark[@]}") ;;
     fuzz) wanted+=("${fuzz[@]}") ;;
+    sanitizers) wanted+=("${sanitizers[@]}") ;;
+    lint) wanted+=("${lint[@]}") ;;
     doc) wanted+=("${doc[@]}") ;;
     python) wanted+=("${python[@]}") ;;
     releases) wanted+=("${releases[@]}") ;;
-    *) echo "unknown group '$group': name build, test, display, benchmark, fuzz, doc, python or releases" >&2; exit 2 ;;
+    *)
+      echo "unknown group '$group': name build, test, display, benchmark, fuzz, sanitizers, lint, doc, python or releases" >&2
+      exit 2
+      ;;
   esac
 done
 

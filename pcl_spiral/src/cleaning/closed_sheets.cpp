@@ -165,7 +165,8 @@ private:
     const double most = (disc_ + 1.0) * (disc_ + 1.0);
     const auto squared = [&](std::size_t a, std::size_t b) {
       const std::int64_t columns = grid_.columns(), ia = static_cast<std::int64_t>(a), ib = static_cast<std::int64_t>(b);
-      const auto du = static_cast<double>(ia % columns - ib % columns), dv = static_cast<double>(ia / columns - ib / columns);
+      const std::int64_t along = ia % columns - ib % columns, across = ia / columns - ib / columns;
+      const auto du = static_cast<double>(along), dv = static_cast<double>(across);
       return du * du + dv * dv;
     };
     while (!front.empty()) {

@@ -17,6 +17,7 @@ pairsAround(const std::vector<StandingCluster>& groups, double reach)
 {
   constexpr double farther = 3.0;
   std::vector<Eigen::Vector3f> middles;
+  middles.reserve(groups.size());
   for (const StandingCluster& group : groups)
     middles.push_back(group.place.cast<float>());
   const PointBlocks blocks(middles);

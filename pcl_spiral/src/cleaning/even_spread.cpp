@@ -131,6 +131,7 @@ float
 medianOfNear(const std::vector<SpreadShape>& shapes)
 {
   std::vector<float> values;
+  values.reserve(shapes.size());
   for (const SpreadShape& shape : shapes)
     values.push_back(shape.near);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

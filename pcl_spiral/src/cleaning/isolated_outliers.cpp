@@ -41,7 +41,7 @@ isTip(const SurfaceGraph& graph, std::uint32_t h, double far, double sparse = st
   const std::uint32_t v = mesh.origin(h);
   double nearest = std::numeric_limits<double>::max(), spacing = nearest;
   for (std::uint32_t k = mesh.outgoingBegin(v); k < mesh.outgoingBegin(v + 1); ++k)
-    for (const std::uint32_t other : {mesh.target(mesh.outgoing(k)), mesh.origin(mesh.previous(mesh.outgoing(k)))}) {
+    for (const std::uint32_t other : {mesh.target(mesh.outgoing(k)), mesh.origin(Triangulation::previous(mesh.outgoing(k)))}) {
       if (graph.spacing(other) > sparse)
         return false;
       nearest = std::min(nearest, (graph.position(other) - graph.position(v)).norm());

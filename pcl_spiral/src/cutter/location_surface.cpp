@@ -78,6 +78,7 @@ LocationSurface::feet() const
   std::call_once(feet_once_, [this] {
     const std::vector<Eigen::Vector3f>& points = surface_->graph().blocks().points();
     std::vector<Eigen::Vector3d> queries;
+    queries.reserve(points.size());
     for (const Eigen::Vector3f& point : points)
       queries.push_back(point.cast<double>());
     std::vector<SurfaceFoot> found;

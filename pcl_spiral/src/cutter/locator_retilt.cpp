@@ -28,7 +28,11 @@ public:
   }
   static constexpr int size = rings * around;
 
-  double tilt(int i) const { return angle_ * (i / around + 1) / rings; }
+  double tilt(int i) const
+  {
+    const int ring = i / around + 1;
+    return angle_ * ring / rings;
+  }
   Eigen::Vector3d operator[](int i) const
   {
     const int turn = (i % around + 1) / 2 * (i % 2 == 0 ? 1 : -1); // 0, then alternately to either side

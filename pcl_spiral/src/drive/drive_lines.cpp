@@ -80,6 +80,7 @@ std::vector<DriveLine>
 driveLines(const std::vector<LevelLine>& lines, const SurfaceGraph& graph)
 {
   std::vector<DriveLine> all;
+  all.reserve(lines.size());
   for (const LevelLine& line : lines)
     all.push_back({pointsOf(line, graph.blocks()), line.closed});
   return all;
@@ -109,6 +110,7 @@ std::size_t
 dropShort(std::vector<DriveLine>& lines, double spacing)
 {
   std::vector<double> lengths;
+  lengths.reserve(lines.size());
   for (const DriveLine& line : lines)
     lengths.push_back(length(line.points, line.closed));
   const auto isSecondSheet = [&](std::size_t i) {

@@ -80,6 +80,7 @@ planOffsets(const SurfaceGraph& graph, const DriveSettings& settings, const Prog
   const LevelIslands islands = levelIslands(mesh, field.distances(), steps.middles);
   const std::vector<OffsetLevel> levels = levelsOf(steps, islands);
   std::vector<double> distances;
+  distances.reserve(levels.size());
   for (const OffsetLevel& level : levels)
     distances.push_back(level.distance);
   const auto lines = levelLines(mesh, field.distances(), distances);

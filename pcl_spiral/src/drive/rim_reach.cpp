@@ -28,6 +28,7 @@ outerLoops(const SurfaceGraph& graph, const Triangulation& mesh)
       found = {length, loop};
   }
   std::vector<std::vector<std::uint32_t>> loops;
+  loops.reserve(longest.size());
   for (auto& [part_of, loop] : longest)
     loops.push_back(std::move(loop.second));
   return loops;

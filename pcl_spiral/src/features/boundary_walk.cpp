@@ -83,6 +83,7 @@ private:
   static std::vector<Eigen::Vector3f> positionsOf(const SurfaceGraph& graph, const std::vector<std::uint32_t>& marked)
   {
     std::vector<Eigen::Vector3f> positions;
+    positions.reserve(marked.size());
     for (const std::uint32_t v : marked)
       positions.push_back(graph.blocks().point(v));
     return positions;
@@ -135,7 +136,7 @@ surfaceOnLeft(const SurfaceGraph& graph, const Ring& ring)
     const Eigen::Vector3d left = graph.normal(v).cross(along);
     for (std::uint32_t k = mesh.outgoingBegin(v); k < mesh.outgoingBegin(v + 1); ++k) {
       const std::uint32_t h = mesh.outgoing(k);
-      const Eigen::Vector3d middle = 0.5 * (graph.position(mesh.target(h)) + graph.position(mesh.origin(mesh.previous(h))));
+      const Eigen::Vector3d middle = 0.5 * (graph.position(mesh.target(h)) + graph.position(mesh.origin(Triangulation::previous(h))));
       left_sum += left.dot(middle - graph.position(v));
     }
   }

@@ -185,7 +185,8 @@ staysByRing(const OutlineDraft& draft, const Outline& outline)
   };
   const auto byRing = [&](const Eigen::Vector3d& p) {
     return by_middle.any(p, farthest * spacing + 0.5 * longest, [&](const Eigen::Vector3d&, std::size_t i) {
-      const Eigen::Vector3d a = ring[i], d = ring[(i + 1) % n] - a;
+      const Eigen::Vector3d& a = ring[i];
+      const Eigen::Vector3d d = ring[(i + 1) % n] - a;
       const double t = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
       return (p - a - t * d).norm() < farthest * spacing;
     });

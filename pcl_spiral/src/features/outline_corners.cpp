@@ -118,7 +118,8 @@ moveToTips(const std::vector<Eigen::Vector3d>& points, double spacing, std::vect
     if (std::abs(corners[c].turn) < least_turn_of_tip)
       continue;
     const std::size_t begin = armsEnd(c, false), end = armsEnd(c, true);
-    const Eigen::Vector3d a = points[begin], along = (points[end] - a).normalized();
+    const Eigen::Vector3d& a = points[begin];
+    const Eigen::Vector3d along = (points[end] - a).normalized();
     double farthest = 0.0;
     for (std::size_t i = begin; i != end; i = (i + 1) % n) {
       const Eigen::Vector3d d = points[i] - a;
@@ -158,7 +159,8 @@ namespace {
 std::size_t
 farthestOut(const std::vector<Eigen::Vector2d>& line, std::size_t from, std::size_t to)
 {
-  const Eigen::Vector2d a = line[from - 1], chord = line[to + 1] - a, across(-chord.y(), chord.x());
+  const Eigen::Vector2d& a = line[from - 1];
+  const Eigen::Vector2d chord = line[to + 1] - a, across(-chord.y(), chord.x());
   std::size_t farthest = from;
   for (std::size_t i = from; i <= to; ++i)
     if (std::abs((line[i] - a).dot(across)) > std::abs((line[farthest] - a).dot(across)))

@@ -213,7 +213,7 @@ OutlineDraft::merge(std::size_t c, FittedSide through)
 {
   if (corners.size() == 1) {
     corners.clear();
-    sides.assign(1, std::move(through));
+    sides.assign(1, through);
     return;
   }
   sides[preceding(c)] = std::move(through);

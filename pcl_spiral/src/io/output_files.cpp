@@ -3,7 +3,7 @@
 #include <pcl_spiral/io/output_files.h>
 
 #include <fcntl.h>
-#include <signal.h>
+#include <signal.h> // NOLINT(modernize-deprecated-headers): POSIX, for kill
 #include <unistd.h>
 
 #include <algorithm>

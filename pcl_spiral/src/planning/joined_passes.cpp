@@ -95,6 +95,7 @@ Status
 joinPasses(const std::vector<PassPlan>& regions, PassPlan& all)
 {
   std::vector<RegionPoints> points;
+  points.reserve(regions.size());
   for (const PassPlan& region : regions)
     points.push_back(pointsOf(region));
   if (const Status status = checkApart(points); !status.ok())

@@ -82,6 +82,7 @@ Status
 joinPlans(std::vector<SpiralPlan> regions, SpiralPlan& all)
 {
   std::vector<RegionPoints> points;
+  points.reserve(regions.size());
   for (const SpiralPlan& region : regions)
     points.push_back({region.region, pointsOf(region)});
   if (const Status status = checkApart(points); !status.ok())

@@ -248,7 +248,8 @@ fitLine(const MeasuredLine& measured, double error)
   if (!(measured.spacing > 0.0) || !(first.error < measured.spacing * static_cast<double>(measured.points.size())))
     return first;
   const double wanted = std::ceil(apart * first.error / measured.spacing);
-  const auto size = static_cast<std::size_t>(std::min(wanted, static_cast<double>(measured.points.size() / least)));
+  const std::size_t most = measured.points.size() / least;
+  const auto size = static_cast<std::size_t>(std::min(wanted, static_cast<double>(most)));
   if (size < 2)
     return first;
   const double share = std::sqrt(static_cast<double>(size));

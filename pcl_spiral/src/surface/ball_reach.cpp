@@ -77,6 +77,7 @@ BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double ra
   });
   if (!beyond.empty()) {
     std::vector<Eigen::Vector3f> feet;
+    feet.reserve(beyond.size());
     for (const SurfacePatch& patch : beyond)
       feet.push_back(patch.foot.position.cast<float>());
     beyond_ = PointBlocks(std::move(feet));
@@ -174,6 +175,7 @@ void
 BallReach::addMissed(const MlsSurface& fit, const std::vector<Eigen::Vector3f>& outliers, double most)
 {
   std::vector<Eigen::Vector3d> queries;
+  queries.reserve(outliers.size());
   for (const Eigen::Vector3f& outlier : outliers)
     queries.push_back(outlier.cast<double>());
   std::vector<SurfaceFoot> feet;

@@ -40,6 +40,7 @@ outsideNearest(const Neighbourhood& near, const Eigen::Vector3d& e1, const Eigen
   if (quadrants == 15u) // one in each: no free angle of more than 180 degrees
     return 0.0;
   std::vector<double> angles;
+  angles.reserve(static_cast<std::size_t>(nearer));
   for (int j = 0; j < nearer; ++j)
     angles.push_back(std::atan2(places(1, j), places(0, j)));
   std::sort(angles.begin(), angles.end());

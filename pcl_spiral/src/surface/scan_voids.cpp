@@ -177,8 +177,9 @@ void
 ScanVoids::addDiscs(const SurfaceGraph& graph, const ScanVoid& found)
 {
   for (const std::uint32_t t : found.triangles) {
-    const auto [centre, radius] = emptyCircle(graph, t);
-    const double reach = 1.5 * radius; // of the point nearest to a place within
+    const std::pair<Eigen::Vector3d, double> circle = emptyCircle(graph, t); // clang 14 has no captures of structured bindings
+    const Eigen::Vector3d& centre = circle.first;
+    const double reach = 1.5 * circle.second; // of the point nearest to a place within
     Box box;
     const Eigen::Vector3f place = centre.cast<float>();
     box.extend(place.data());
@@ -187,7 +188,7 @@ ScanVoids::addDiscs(const SurfaceGraph& graph, const ScanVoid& found)
         if ((graph.position(i) - centre).norm() <= reach)
           near_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(discs_.size())});
     });
-    discs_.push_back({centre, radius});
+    discs_.push_back({centre, circle.second});
   }
 }
 

@@ -196,6 +196,7 @@ private:
     for (const std::uint32_t i : doubtful)
       given.push_back(placeOf(parts_.graph.blocks().originalIndex(i)));
     std::vector<Eigen::Vector3f> points;
+    points.reserve(given.size());
     for (const std::uint32_t i : given)
       points.push_back(all_[i]);
     parts_.clusters = standingPoints(parts_.graph, points).clusters;

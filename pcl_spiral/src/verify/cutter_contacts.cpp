@@ -39,6 +39,7 @@ cutterContacts(const ReferenceSurface& reference, const std::vector<CutterPlace>
 {
   if (isBall(cutter)) {
     std::vector<Eigen::Vector3d> centres;
+    centres.reserve(places.size());
     for (const CutterPlace& place : places)
       centres.push_back(place.tip + cutter.radius * place.axis);
     return ballContacts(reference, centres, cutter.radius);

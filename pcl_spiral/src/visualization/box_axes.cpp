@@ -124,6 +124,7 @@ void
 dropOverlaps(std::vector<BoxAxis>& axes)
 {
   std::vector<AxisText> kept;
+  kept.reserve(axes.size());
   for (const BoxAxis& axis : axes)
     kept.push_back(axis.texts.front());
   for (BoxAxis& axis : axes) {
@@ -176,6 +177,7 @@ layOutAxes(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Parall
   };
   choose(choose, 0, 0.0);
   std::vector<BoxAxis> axes;
+  axes.reserve(best.size());
   for (const Candidate* edge : best)
     axes.push_back(edge->axis);
   dropOverlaps(axes);

@@ -36,8 +36,9 @@ addPointData(const RidgeSurface& ridge, const RidgeMesh& mesh, const std::functi
   normals->SetName("Normals");
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < mesh.vertices.size(); ++k) {
-    const double u = ridge.rail().length() * static_cast<double>(k / (mesh.across + 1)) / static_cast<double>(mesh.along);
-    const double v = ridge.generator().length() * static_cast<double>(k % (mesh.across + 1)) / static_cast<double>(mesh.across);
+    const std::size_t row = k / (mesh.across + 1), column = k % (mesh.across + 1);
+    const double u = ridge.rail().length() * static_cast<double>(row) / static_cast<double>(mesh.along);
+    const double v = ridge.generator().length() * static_cast<double>(column) / static_cast<double>(mesh.across);
     const Eigen::Vector3d normal = ridge.normal(u, v);
     sum += normal;
     normals->InsertNextTuple(normal.data());
@@ -53,8 +54,10 @@ addPointData(const RidgeSurface& ridge, const RidgeMesh& mesh, const std::functi
 std::vector<double>
 stationsAlong(const SmoothLine& line, int steps)
 {
+  const int count = steps + (line.closed() ? 0 : 1);
   std::vector<double> places;
-  for (int k = 0; k < steps + (line.closed() ? 0 : 1); ++k)
+  places.reserve(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k)
     places.push_back(line.length() * k / steps);
   return places;
 }

@@ -108,6 +108,7 @@ addFrames(Canvas& canvas, const RidgeSurface& ridge, std::vector<LegendEntry>& l
   const DepthMap depth(canvas.surface(), canvas);
   const std::vector<double> stations = stationsAlong(ridge.rail(), ridge.rail().closed() ? frames : frames - 1);
   std::vector<Polyline> carried;
+  carried.reserve(stations.size());
   for (const double u : stations)
     carried.push_back(generatorAt(ridge, u));
   canvas.addOver(lineActor(carried, false, carried_color, thin));
@@ -170,7 +171,7 @@ addGenerator(Canvas& canvas, const RidgeScene& scene)
     actor->SetPosition(lift.x(), lift.y(), lift.z());
     inset.view->AddActor(actor);
   };
-  const Vector3d start = curve.front(), end = curve.back();
+  const Vector3d &start = curve.front(), &end = curve.back();
   add(lineActor({{start - 2.0 * across * level, start + 2.0 * across * level}}, false, level_color, thin), 0);
   add(lineActor({{start, end}}, false, curve_color, thin), 1);
   add(pointsActor(scene.generator, generator_color, 6.0f), 2);

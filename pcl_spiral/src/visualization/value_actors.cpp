@@ -108,6 +108,7 @@ outstandingPoints(const pcl::PointCloud<PointT>& points, const std::vector<float
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<vtkSmartPointer<vtkActor>> actors;
+  actors.reserve(ranked.size());
   for (const auto& [rank, actor] : ranked)
     actors.push_back(actor);
   return actors;

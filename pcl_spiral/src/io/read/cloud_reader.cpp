@@ -60,6 +60,7 @@ cloudExtensions()
 {
   static const std::vector<std::string> extensions = [] {
     std::vector<std::string> list;
+    list.reserve(cloud_formats.size());
     for (const CloudFormat& format : cloud_formats)
       list.emplace_back(format.extension);
     return list;

@@ -45,6 +45,7 @@ PolygonCut::PolygonCut(const std::vector<Eigen::Vector3d>& corners)
   for (const Eigen::Vector3d& corner : corners)
     size = std::max(size, (corner - corners[0]).norm());
   std::vector<Eigen::Vector3d> shares;
+  shares.reserve(corners.size());
   for (const Eigen::Vector3d& corner : corners)
     shares.push_back(size > 0.0 ? ((corner - corners[0]) / size).eval() : Eigen::Vector3d::Zero());
   const Eigen::Vector3d normal = normalOf(shares);

@@ -120,9 +120,10 @@ ProgramLines::takeWord(std::size_t begin)
     if (!word.value)
       fail(Diagnostic(inQuotes(text_.substr(begin, end - begin)), " has no number that can be read; write it as X-12.5"));
   }
-  word.text = text_.substr(begin, (word.value ? end : at) - begin);
+  const std::size_t behind = word.value ? end : at;
+  word.text = text_.substr(begin, behind - begin);
   words_.push_back(std::move(word));
-  return word.value ? end : at;
+  return behind;
 }
 
 } // namespace pcl_spiral

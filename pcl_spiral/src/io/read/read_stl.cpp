@@ -39,7 +39,10 @@ struct CornerHash {
 };
 
 struct SameCorner {
-  bool operator()(const Corner& a, const Corner& b) const { return std::memcmp(a.data(), b.data(), sizeof(a)) == 0; }
+  bool operator()(const Corner& a, const Corner& b) const
+  {
+    return std::memcmp(a.data(), b.data(), sizeof(a)) == 0; // NOLINT(bugprone-suspicious-memory-comparison): equal bits, as the hash
+  }
 };
 
 /** Different corners in the order of the file. */

@@ -21,10 +21,10 @@ constexpr double least_side = 2.0; ///< of a lasso, pixels
 std::string
 ViewerSession::newFile(const std::string& kind) const
 {
-  const std::string extension = kind.empty() ? ".png" : ".txt";
+  const std::string stem = picture_stem + kind + "_", extension = kind.empty() ? ".png" : ".txt";
   std::string file;
   for (int i = 1; file.empty() || std::filesystem::exists(file); ++i)
-    file = picture_stem + kind + "_" + std::to_string(i) + extension;
+    file.assign(stem).append(std::to_string(i)).append(extension);
   return file;
 }
 
