@@ -84,7 +84,8 @@ growing(const std::vector<double>& levels, double period)
   const std::size_t n = levels.size();
   std::vector<Pool> pools;
   for (std::size_t i = 0; i < 3 * n; ++i) {
-    pools.push_back({levels[i % n] + period * static_cast<double>(i / n), 1});
+    const std::size_t turn = i / n;
+    pools.push_back({levels[i % n] + period * static_cast<double>(turn), 1});
     while (pools.size() > 1) {
       Pool &last = pools.back(), &before = pools[pools.size() - 2];
       if (before.sum * static_cast<double>(last.count) <= last.sum * static_cast<double>(before.count))

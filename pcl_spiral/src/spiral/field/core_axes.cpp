@@ -105,7 +105,8 @@ private:
       front.push({0.0, s});
     }
     while (!front.empty()) {
-      const auto [d, i] = front.top();
+      const double d = front.top().first; // clang 14 has no captures of structured bindings
+      const std::size_t i = front.top().second;
       front.pop();
       if (d > cost_[i])
         continue;

@@ -59,7 +59,8 @@ private:
   /** Room for the new nodes and triangles: about half as many nodes as triangles. */
   void reserve()
   {
-    const std::size_t cut = cut_.size(), pieces = static_cast<std::size_t>(parts_ * parts_), nodes = nodes_ + cut * pieces / 2 + cut;
+    const std::size_t cut = cut_.size(), pieces = static_cast<std::size_t>(parts_) * static_cast<std::size_t>(parts_),
+                      nodes = nodes_ + cut * pieces / 2 + cut;
     fine_.positions.reserve(nodes);
     fine_.normals.reserve(nodes);
     fine_.metric.reserve(nodes);
@@ -106,7 +107,10 @@ private:
     const Triangle corners = triangulation_.triangle(t);
     const auto h = static_cast<std::uint32_t>(3 * t);
     // Row i from corner 0, place j in it: weights 1 - i/n, (i - j)/n, j/n.
-    const auto at = [this](int i, int j) -> std::uint32_t& { return lattice_[static_cast<std::size_t>(i * (i + 1) / 2 + j)]; };
+    const auto at = [this](int i, int j) -> std::uint32_t& {
+      const int place = i * (i + 1) / 2 + j;
+      return lattice_[static_cast<std::size_t>(place)];
+    };
     for (int i = 0; i <= parts_; ++i)
       for (int j = 0; j <= i; ++j) {
         if (j == 0)

@@ -72,7 +72,8 @@ RidgeClimb::higherNode(const StepOverDistance& field, std::uint32_t v) const
   front.push({0.0, v});
   std::uint32_t best = none;
   while (!front.empty()) {
-    const auto [d, i] = front.top();
+    const double d = front.top().first; // clang 14 has no captures of structured bindings
+    const std::uint32_t i = front.top().second;
     front.pop();
     if (d > reached[i])
       continue;

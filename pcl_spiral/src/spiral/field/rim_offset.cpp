@@ -51,6 +51,7 @@ Status
 offsetOutlines(Surface::ConstPtr& surface, std::vector<BoundaryLoop>& loops, double overhang, double hole_margin)
 {
   std::vector<double> margins;
+  margins.reserve(loops.size());
   for (const BoundaryLoop& loop : loops)
     margins.push_back(loop.type == LoopType::Outer ? std::max(0.0, -overhang) : loop.type == LoopType::Inner ? hole_margin : 0.0);
   if (std::any_of(margins.begin(), margins.end(), [](double margin) { return margin > 0.0; }))

@@ -177,7 +177,8 @@ startInPlan(const MlsSurface& surface, const Polyline& rim)
   Eigen::Vector2d gradient;
   Eigen::Matrix2d hessian;
   for (int i = 0; i < cells * cells; ++i) {
-    const Eigen::Vector2d x = box.min() + Eigen::Vector2d(i % cells + 0.5, i / cells + 0.5).cwiseProduct(box.sizes()) / cells;
+    const int column = i % cells, row = i / cells;
+    const Eigen::Vector2d x = box.min() + Eigen::Vector2d(column + 0.5, row + 0.5).cwiseProduct(box.sizes()) / cells;
     if (!isInside(plan, x))
       continue;
     if (const double value = unevenness(plan, x, gradient, hessian); value < least) {

@@ -278,6 +278,7 @@ std::vector<std::size_t>
 addRamps(const std::vector<RampStrip>& chain, CutLoops& loops, LinkedPath& path)
 {
   std::vector<std::size_t> cuts;
+  cuts.reserve(chain.size());
   for (const RampStrip& s : chain)
     cuts.push_back(loops.addCut({s.loop, s.u - s.length, s.length}));
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {

@@ -89,6 +89,7 @@ stepCounts(const std::vector<Knot>& knots, const std::vector<StepStretch>& stret
     count = std::max(count, wholeSteps(stretch.needed));
   }
   std::vector<double> result;
+  result.reserve(alike.size());
   for (const std::pair<int, int>& kind : alike)
     result.push_back(counts.at(kind));
   return result;
