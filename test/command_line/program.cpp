@@ -101,7 +101,7 @@ TEST(Program, EveryLanguageAndExchangeFileIsWritten)
   expectHas(readText(folder.path("d.yaml")), "# place: contact; z: normal of the surface");
   const RunResult refused = run(folder, {"-o", "d.csv", "--robot-z", "normal"});
   EXPECT_EQ(refused.code, 2);
-  expectHas(refused.err, "--robot-z normal: no output has robot frames; add an output .yaml, or leave it out");
+  expectHas(refused.err, "--robot-z: no output has robot frames; add an output .yaml, or leave it out");
 }
 
 /** A flat L as the text of an .xyz file. */
@@ -216,7 +216,7 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
   expectHas(said({"-o", "a.nc", "--dialect", "fanuc"}, 2), "-o a.nc: no --machine is given");
   expectHas(said({"-o", "a.nc", "--machine", machine}, 2), "no --dialect is given; it must be one of linuxcnc|fanuc|");
   expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "fanuc"}, 2), "-o a.nc: no --tool is given");
-  expectHas(said({"-o", "a.ngc", "--machine", machine, "--dialect", "siemens"}, 2), "--dialect siemens: no output is in that language");
+  expectHas(said({"-o", "a.ngc", "--machine", machine, "--dialect", "siemens"}, 2), "--dialect: no output is in the language siemens");
   expectHas(said({"-o", "a.mpf", "--machine", machine, "--dialect", "fanuc", "--tool", "3"}, 2), "a .mpf for Siemens");
   expectHas(said({"-o", "a.h"}, 2), "-o a.h: no --machine is given");
   expectHas(said({"-o", "a.h", "--machine", machine}, 2), "-o a.h: no --tool is given");
@@ -229,8 +229,7 @@ TEST(Program, WrongCallsAreRefusedBeforeTheScanIsRead)
       {"--feed-mode", "per-minute"}, {"--line-numbers", "10"}, {"--smoothing", "0"},           {"--work-offset", "G55"}};
   for (const auto& [option, value] : words)
     expectHas(said({"-o", "a.csv", option, value}, 2), option + ": no output is a program");
-  expectHas(said({"-o", "a.apt", "--feed-mode", "per-minute"}, 2),
-            "--feed-mode: no output is a program; add an output such as -o part.ngc");
+  expectHas(said({"-o", "a.apt", "--feed-mode", "per-minute"}, 2), "--feed-mode: no output is a program; write one such as part.ngc");
   EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv")));
   expectHas(said({"-o", "a.ngc", "--machine", machine, "--block-tolerance", "1e-9,1e-9"}, 2), "must be 0.0001 mm");
   expectHas(said({"-o", "a.nc", "--machine", machine, "--dialect", "okuma"}, 2), "--dialect okuma: must be one of");

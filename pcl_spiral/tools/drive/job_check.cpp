@@ -3,6 +3,7 @@
 #include "passes/pass_check.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
+#include "terminal/idle_options.h"
 #include "terminal/option_values.h"
 
 #include "io/setting_names.h"
@@ -20,35 +21,16 @@ using namespace pcl_spiral;
 
 namespace {
 
-/** Whether the path or the axes use the cylinder of a column. */
-bool
-usesColumn(const Job& job)
-{
-  return job.drive.goesRound() || job.drive.axisMode() == DriveAxisMode::Cylinder;
-}
-
 /** Refuses options that the chosen path does not use. */
 void
 requireMeant(const Job& job)
 {
-  const DriveKind kind = job.drive.kind;
-  const auto require = [&](const char* option, bool meant, const Diagnostic& remedy) {
-    if (isGiven(job, option) && !meant)
-      throw UsageError(Diagnostic("--", option, ": ", remedy));
-  };
-  const Diagnostic is("--drive ", choiceName(kind), " does not use it; leave it out");
-  require("overrun", job.drive.goesRound(), is);
-  require("column-axis", usesColumn(job), Diagnostic(is, " (or give --axis-mode cylinder)"));
-  require("column-centre", job.column_axis.has_value(), "no --column-axis is given; give the direction too");
-  require("direction", kind == DriveKind::Planes, is);
-  require("rows", kind == DriveKind::Planes, is);
-  require("link", kind == DriveKind::Planes, is);
-  require("link", !job.one_way, "with --one-way each row begins far from the end of the row before; leave --one-way or --link out");
-  require("one-way", kind == DriveKind::Planes || kind == DriveKind::Rings, is);
-  require("step-over", kind != DriveKind::Curve, is);
-  require("scallop", kind != DriveKind::Curve, is);
-  require("accept-collisions", !job.holder.empty() || hasLeads(job.program, job.outputs),
-          "without a --holder, or a program, CLDATA or robot frames as output, it does nothing; leave it out");
+  requireUsed(idleSetting(askedNames(job.given), job.drive, job, {job.mesh, !job.holder.empty(), !job.no_gouge_check, false}));
+  if (isGiven(job, "link") && job.one_way)
+    throw UsageError("--link: with --one-way each row begins far from the end of the row before; leave --one-way or --link out");
+  if (isGiven(job, "accept-collisions") && job.holder.empty() && !hasLeads(job.program, job.outputs))
+    throw UsageError("--accept-collisions: without a --holder, or a program, CLDATA or robot frames as output, it does nothing; leave it "
+                     "out");
 }
 
 /** Checks --scallop and --step-over, and the rows that keep the scallop. */
@@ -73,17 +55,10 @@ checkScallop(const Job& job)
         Diagnostic("--scallop ", job.drive.scallop_height, ": no step-over gives this height with this cutter; give a --step-over"));
 }
 
-/** Refuses options for scans with a mesh, and options for meshes with a scan. */
+/** Refuses what a mesh, or passes without the check of gouges, cannot have. */
 void
 requireMeshMeant(const Job& job)
 {
-  for (const char* option : {"columns", "skip-lines", "raw-scan", "leave-out-strays", "largest", "thin", "view-point", "part-at", "region",
-                             "crop", "keep-out", "clusters"})
-    if (job.mesh && isGiven(job, option))
-      throw UsageError(Diagnostic("--", option, ": belongs to scans, and --mesh uses the faces of a mesh; leave one of them out"));
-  for (const char* option : {"crease-angle", "no-gouge-check"})
-    if (!job.mesh && isGiven(job, option))
-      throw UsageError(Diagnostic("--", option, ": belongs to meshes; add --mesh to use the faces of the file, or leave it out"));
   const DriveKind kind = job.drive.kind;
   if (job.mesh && kind == DriveKind::BoundaryOffset)
     throw UsageError(Diagnostic("--drive ", choiceName(kind),
@@ -95,17 +70,15 @@ requireMeshMeant(const Job& job)
                                 "down to it; leave it out"));
   if (job.no_gouge_check && !job.holder.empty())
     throw UsageError("--no-gouge-check: a --holder is given, and only that check looks at the holder; leave one of them out");
-  if (job.no_gouge_check && (isGiven(job, "max-retilt") || isGiven(job, "ceiling")))
-    throw UsageError("--no-gouge-check: --max-retilt and --ceiling belong to that check; leave it or them out");
 }
 
 void
 completePath(Job& job)
 {
+  requireMeant(job);
   requireMeshMeant(job);
   job.flip_scan = !job.mesh && job.mesh_settings.flip;
   DriveSettings& d = job.drive;
-  requireMeant(job);
   d.zigzag = !job.one_way;
   completeDrive({isGiven(job, "rows"), isGiven(job, "point-spacing")}, job, job.mesh, d);
   checkScallop(job);
@@ -115,9 +88,6 @@ completePath(Job& job)
                      "--step-over 1, or --scallop");
   if (is_curve && job.curve_file.empty())
     throw UsageError("--drive curve: no --curve is given; give a file with the points of the curve in order");
-  if (!is_curve && !job.curve_file.empty())
-    throw UsageError(
-        Diagnostic("--curve ", job.curve_file, ": --drive is ", choiceName(d.kind), "; use --drive curve, or leave --curve out"));
   if (is_curve && job.regions.several())
     throw UsageError("--drive curve: the same curve would be followed over each region; give one region, or --drive planes");
   if (job.column_axis && !(job.column_axis->norm() > 0.0))

@@ -2,6 +2,7 @@
 #include "judge_options.h"
 
 #include "terminal/cutter_shape.h"
+#include "terminal/idle_options.h"
 #include "terminal/read_options.h"
 
 using namespace pcl_spiral;
@@ -54,12 +55,7 @@ completeJudging(JudgeOptions& job)
     job.part.clusters = ClusterHandling::Ride;
   require(job.part.clusters != ClusterHandling::Refuse,
           "--clusters refuse: a path is judged in any case; give ride, or leave-out for false echoes");
-  for (const char* name : {"crease-angle", "sample-spacing"})
-    require(job.mesh || !isGiven(job, name), Diagnostic("--", std::string(name), " belongs to meshes; add --mesh, or leave it out"));
-  for (const char* name : {"columns", "skip-lines", "view-point", "part-at", "region", "crop", "keep-out", "clusters"})
-    require(!job.mesh || !isGiven(job, name), Diagnostic("--", std::string(name),
-                                                         " belongs to scans; the faces of a mesh define its side: leave it out, or turn "
-                                                         "the mesh over (--flip-normals)"));
+  requireUsed(idleOfJudging(askedNames(job.given), {job.mesh}));
   settings.flip_normals = job.mesh_settings.flip;
   const bool radius_given = isGiven(job, "tool-radius");
   require(!radius_given || settings.cutter.radius > 0.0, "--tool-radius must be above 0 mm, such as 10");

@@ -25,9 +25,7 @@ void
 completeCutter(PassJob& job)
 {
   completeCutter(isGiven(job, "corner-radius"), job.cutter);
-  checkHolder(job.given, job.holder, job.holder_clearance, job.cutter.flank_length);
-  if (isGiven(job, "retilt-step") && !(job.max_retilt > 0.0))
-    throw UsageError("--retilt-step: no --max-retilt is given; give one, or leave it out");
+  checkHolder(job.holder, job.holder_clearance, job.cutter.flank_length);
 }
 
 void

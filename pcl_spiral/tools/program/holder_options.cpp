@@ -37,12 +37,10 @@ holderOptions(std::vector<pcl_spiral::ToolSegment>& holder, double& clearance)
 }
 
 void
-checkHolder(const std::set<std::string>& given, const std::vector<pcl_spiral::ToolSegment>& holder, double clearance, double flank_length)
+checkHolder(const std::vector<pcl_spiral::ToolSegment>& holder, double clearance, double flank_length)
 {
   if (const pcl_spiral::Diagnostic fault = pcl_spiral::faultOf(holder); !fault.empty())
     throw UsageError(pcl_spiral::Diagnostic("--holder: ", fault));
-  if (given.count("holder-clearance") > 0 && holder.empty())
-    throw UsageError("--holder-clearance: no --holder is given; give one, or leave it out");
   requireOption(clearance >= 0.0, "holder-clearance", clearance, "must not be below 0 mm");
   if (!holder.empty() && !(flank_length > 0.0))
     throw UsageError("--holder: no --flank-length is given; give the length of the flank, the holder begins above it");

@@ -15,6 +15,5 @@
 /** --holder and --holder-clearance. */
 std::vector<Option> holderOptions(std::vector<pcl_spiral::ToolSegment>& holder, double& clearance);
 
-/** \p given: the options that were set. \throw UsageError for an impossible holder, or without the flank that it stands on */
-void checkHolder(const std::set<std::string>& given, const std::vector<pcl_spiral::ToolSegment>& holder, double clearance,
-                 double flank_length);
+/** \throw UsageError for an impossible holder, or without the flank that it stands on */
+void checkHolder(const std::vector<pcl_spiral::ToolSegment>& holder, double clearance, double flank_length);

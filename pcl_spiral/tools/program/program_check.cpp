@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_check.h"
 #include "terminal/file_names.h"
+#include "terminal/idle_options.h"
 #include "terminal/option_values.h"
 
 #include "common/readable_text.h"
@@ -45,22 +46,6 @@ checkOffset(const ProgramJob& program, const std::vector<std::string>& outputs)
     if (isProgram(output) && !offset.empty())
       if (const Diagnostic fault = faultOfOffset(languageOf(program, output), offset); !fault.empty())
         throw UsageError(Diagnostic("-o ", output, ": --work-offset ", readableText(offset), " ", fault));
-}
-
-/** What only some outputs hold must not be asked for without one of them. */
-void
-checkWords(const std::vector<std::string>& outputs, const std::set<std::string>& given)
-{
-  const bool any_program = std::any_of(outputs.begin(), outputs.end(), isProgram);
-  const bool any_cldata = std::any_of(outputs.begin(), outputs.end(),
-                                      [](const std::string& output) { return isExchange(output) && extensionOf(output) != ".yaml"; });
-  for (const char* option : {"feed-mode", "work-offset", "smoothing", "line-numbers", "decimals"})
-    if (!any_program && given.count(option) > 0)
-      throw UsageError(Diagnostic("--", option, ": no output is a program; add an output such as -o part.ngc, or leave it out"));
-  for (const char* option : {"coolant", "spindle", "spindle-direction", "tool"})
-    if (!any_program && !any_cldata && given.count(option) > 0)
-      throw UsageError(Diagnostic("--", option,
-                                  ": no output is a program or CLDATA; add an output such as -o part.ngc or -o part.apt, or leave it out"));
 }
 
 } // namespace
@@ -113,26 +98,16 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
     if (!missing.empty())
       throw UsageError(Diagnostic("-o ", output, ": ", missing));
   }
-  if (given.count("dialect") > 0 && std::none_of(outputs.begin(), outputs.end(), [&program](const std::string& output) {
-        return isProgram(output) && languageOf(program, output) == program.dialect;
-      }))
-    throw UsageError(Diagnostic(
-        "--dialect ", choiceName(program.dialect),
-        ": no output is in that language; write a .nc (a .ngc is always for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain)"));
-  if (given.count("robot-z") > 0 &&
-      std::none_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".yaml"; }))
-    throw UsageError(
-        Diagnostic("--robot-z ", choiceName(program.robot_z), ": no output has robot frames; add an output .yaml, or leave it out"));
-  if (given.count("stay-down") > 0 && !hasProgram(program, outputs))
-    throw UsageError(
-        "--stay-down: no output is a program, and only programs have links; add an output .ngc, .nc, .mpf or .h, or leave it out");
+  AskedNames asked = askedNames(given);
+  if (!program.machine_file.empty())
+    asked.erase("stay_down"); // the machine's picture shows links
+  requireUsed(idleOfProgram(asked, outputs, program.dialect));
   requireOption(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
   requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * in_degrees,
                 "must be 0.00006 degrees or more");
   requireOption(s.thinning.tip >= 0.0, "thin-blocks", s.thinning.tip, "must not be below 0 mm");
   requireOption(s.thinning.axis >= 0.0, "thin-blocks", s.thinning.axis * in_degrees, "must not be below 0 degrees");
   requireOption(program.smoothing.value_or(0.0) >= 0.0, "smoothing", program.smoothing.value_or(0.0), "must not be below 0 mm");
-  checkWords(outputs, given);
   checkOffset(program, outputs);
   checkCodes(program.header, std::any_of(outputs.begin(), outputs.end(), isProgram), given);
 }

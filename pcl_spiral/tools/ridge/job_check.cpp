@@ -3,6 +3,7 @@
 
 #include "passes/pass_check.h"
 #include "program/program_check.h"
+#include "terminal/idle_options.h"
 #include "terminal/option_values.h"
 
 #include "planning/pass_defaults.h"
@@ -78,10 +79,6 @@ void
 checkBeam(Job& job)
 {
   completeRidge({}, job, job.rows);
-  refuse(job,
-         {"corner-radius", "flank-length", "flank-angle", "holder", "holder-clearance", "ceiling", "max-retilt", "retilt-step",
-          "accept-collisions", "scallop", "pole-cone", "stay-down"},
-         "belongs to a cutter, and no --tool-radius is given; give it for a cutter, or leave this option out for a beam");
   if (isGiven(job, "tool-radius"))
     requireOption(job.cutter.radius > 0.0, "tool-radius", job.cutter.radius, "must be above 0 mm; for a beam leave it out");
   if (!job.scan.empty() && job.through.empty())
@@ -136,6 +133,7 @@ completeJob(Job& job)
   checkLines(job);
   job.part = job.rail.empty() ? job.scan : job.rail;
   checkRows(job);
+  requireUsed(idleSetting(askedNames(job.given), job, {false, !job.holder.empty()}));
   if (job.hasCutter())
     checkCutter(job);
   else

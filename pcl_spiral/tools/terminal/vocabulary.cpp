@@ -69,6 +69,8 @@ constexpr SettingWords settings[] = {
     {"setHalfWidth", "half-width"},
     {"setClosed", "ring"},
     {"setSpot", "spot", "--spot and --overlap"},
+    {"DriveCylinder::axis", "column-axis"},
+    {"setInputMesh", "mesh"},
     {"setCylinder", "column-axis", "--column-axis and --column-centre"},
     {"MaterialRemoval", "verify"},
     {"StrayRemoval", "leave-out-strays"},

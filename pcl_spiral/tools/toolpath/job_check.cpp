@@ -4,6 +4,7 @@
 #include "program/holder_options.h"
 #include "program/program_check.h"
 #include "terminal/file_names.h"
+#include "terminal/idle_options.h"
 #include "terminal/option_values.h"
 
 #include <pcl_spiral/io/mesh_reader.h>
@@ -31,10 +32,6 @@ checkCutter(const Job& job)
   const pcl_spiral::SpiralSettings& s = job.settings;
   requireGiven(job, "tool-radius", "give the radius of the ball cutter in mm, such as --tool-radius 10");
   requireGiven(job, "scallop", "give the height of the ridge left between turns in mm, such as --scallop 0.05");
-  for (const char* option : {"tilt", "lead", "axis-smoothing", "axis-deviation", "max-axis-rate"})
-    if ((s.fixed_axis || job.ball_closing) && job.given.count(option) > 0)
-      throw UsageError(pcl_spiral::Diagnostic("--", option, " changes the tool axis along the path, and ",
-                                              s.fixed_axis ? "--axis" : "--ball-closing", " keeps it; leave one of the two out"));
   for (const auto& [option, value] : {std::pair("scallop", s.scallop_height), std::pair("chord-error", s.chord_error)})
     requireOption(value < s.tool_radius, option, value,
                   pcl_spiral::Diagnostic("must be below the tool radius, which is ", pcl_spiral::SixDigits(s.tool_radius), " mm"));
@@ -42,7 +39,7 @@ checkCutter(const Job& job)
     throw UsageError(status.diagnostic());
 }
 
-/** Checks --mesh, and the options that belong only to scans or only to meshes. */
+/** Checks --mesh, and the options that closing by the ball does not use. */
 void
 checkMesh(const Job& job)
 {
@@ -52,8 +49,6 @@ checkMesh(const Job& job)
         throw UsageError(pcl_spiral::Diagnostic("--", option,
                                                 ": with --ball-closing the path runs over a closed scan, and is checked against every "
                                                 "point of the scan; leave this option out"));
-    if (job.given.count("sample-spacing") > 0)
-      throw UsageError("--sample-spacing: a scan has its own points; add --mesh to use the faces of the file, or leave it out");
     return;
   }
   const auto& known = pcl_spiral::meshExtensions();
@@ -61,13 +56,6 @@ checkMesh(const Job& job)
       !extension.empty() && std::find(known.begin(), known.end(), extension) == known.end())
     throw UsageError(pcl_spiral::Diagnostic(job.scan, ": --mesh reads .stl .obj and .ply, and '", extension,
                                             "' holds no faces; for points leave --mesh out"));
-  for (const char* option :
-       {"columns", "skip-lines", "raw-scan", "view-point", "ball-closing", "thin", "outliers", "crop", "region", "keep-out"})
-    if (job.given.count(option) > 0)
-      throw UsageError(
-          pcl_spiral::Diagnostic("--", option, " belongs to scans, and --mesh is given: ",
-                                 (std::string(option) == "view-point" ? "the faces define the side (--flip-normals turns them); " : ""),
-                                 "leave one of the two out"));
   requireOption(job.sample_spacing >= 0.0, "sample-spacing", job.sample_spacing, "must be above 0 mm, or 0 to find it from the mesh");
 }
 
@@ -160,14 +148,13 @@ checkJob(const Job& job)
 {
   if (job.scan.empty())
     throw UsageError("no scan is given; give one, such as part.pcd");
+  requireUsed(idleSetting(askedNames(job.given), job.settings, {job.mesh, !job.holder.empty(), true, job.ball_closing}));
   checkCutter(job);
   checkMesh(job);
   checkOutputs(job);
   checkRegions(job);
   checkProgram(job.program, job.outputs, job.given);
-  checkHolder(job.given, job.holder, job.holder_clearance, job.flank_length);
-  if (job.given.count("flank-length") > 0 && job.holder.empty())
-    throw UsageError("--flank-length: no --holder is given, and only the holder begins there; give one, or leave it out");
+  checkHolder(job.holder, job.holder_clearance, job.flank_length);
   if (job.given.count("accept-collisions") > 0 && job.holder.empty() && !job.regions.several() && !hasLeads(job.program, job.outputs))
     throw UsageError("--accept-collisions: no --holder is given, and no output is a program, CLDATA or robot frames, with leads that are "
                      "checked; leave it out");

@@ -55,6 +55,32 @@ missingFor(const std::string& output, bool has_machine, bool has_dialect, int to
   return {};
 }
 
+std::optional<IdleSetting>
+idleOfProgram(const AskedNames& asked, const std::vector<std::string>& outputs, Dialect dialect)
+{
+  bool any_program = false, any_frames = false, any_cldata = false, any_in_language = false;
+  for (const std::string& output : outputs) {
+    const std::string extension = lowerExtension(output);
+    const bool is_program = isProgramExtension(extension);
+    any_program = any_program || is_program;
+    any_frames = any_frames || extension == ".yaml";
+    any_cldata = any_cldata || extension == ".apt" || extension == ".cls";
+    any_in_language = any_in_language || (is_program && dialectOfExtension(extension).value_or(dialect) == dialect);
+  }
+  IdleRules rules(asked);
+  rules.require(any_in_language, {"dialect"},
+                Diagnostic(": no output is in the language ", choiceName(dialect),
+                           "; write a .nc (a .ngc is always for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain), or leave it out"));
+  rules.require(any_frames, {"robot_z"}, ": no output has robot frames; add an output .yaml, or leave it out");
+  rules.require(any_program, {"stay_down"},
+                ": no output is a program, and only programs have links; add an output .ngc, .nc, .mpf or .h, or leave it out");
+  rules.require(any_program, {"feed_mode", "work_offset", "smoothing", "line_numbers", "decimals"},
+                ": no output is a program; write one such as part.ngc, or leave it out");
+  rules.require(any_program || any_cldata, {"coolant", "spindle", "spindle_direction", "tool"},
+                ": no output is a program or CLDATA; write one such as part.ngc or part.apt, or leave it out");
+  return rules.found();
+}
+
 Diagnostic
 noMachineWarning()
 {

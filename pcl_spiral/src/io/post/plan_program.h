@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "planning/idle_settings.h"
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine.h>
 #include <pcl_spiral/planning/pass_plan.h>
@@ -34,6 +35,9 @@ ProgramHeader headerOf(ProgramHeader asked, const ProgramTexts& texts, const std
 /** What the program \p output cannot be written without; empty: nothing. \p has_dialect: whether the language of a .nc was asked for.
  *  \p tool: its number; 0: none. */
 Diagnostic missingFor(const std::string& output, bool has_machine, bool has_dialect, int tool);
+
+/** What was asked for and none of the files \p outputs holds, such as a language of none of them. \p dialect: the one asked for. */
+std::optional<IdleSetting> idleOfProgram(const AskedNames& asked, const std::vector<std::string>& outputs, Dialect dialect);
 
 /** Of a program that no machine file was given for. */
 Diagnostic noMachineWarning();
