@@ -73,10 +73,15 @@ chooseMesh(const DrivePlanInput& input, StageClock& clock, PassPlan& plan)
   return status;
 }
 
+/** The drive path, or the passes given in its place. */
 Status
-makePasses(const DrivePlanInput& input, const SurfaceSettings& surface, const ProgressCallback& progress, PassPlan& plan,
+takePasses(const DrivePlanInput& input, const SurfaceSettings& surface, const ProgressCallback& progress, PassPlan& plan,
            DrivePasses& passes)
 {
+  if (!input.passes.empty()) {
+    passes = input.passes;
+    return Status::success();
+  }
   DrivePath<pcl::PointXYZ> drive;
   drive.setSettings(input.drive);
   setPart(plan, surface, drive);
@@ -84,8 +89,15 @@ makePasses(const DrivePlanInput& input, const SurfaceSettings& surface, const Pr
   drive.setProgressCallback(progress);
   drive.compute(passes);
   plan.drive = drive.getReport();
-  if (!drive.getStatus().ok())
-    return drive.getStatus();
+  return drive.getStatus();
+}
+
+Status
+makePasses(const DrivePlanInput& input, const SurfaceSettings& surface, const ProgressCallback& progress, PassPlan& plan,
+           DrivePasses& passes)
+{
+  if (const Status status = takePasses(input, surface, progress, plan, passes); !status.ok())
+    return status;
   PassAxisSettings axes;
   axes.smoothing_length = input.tool.axis_smoothing;
   axes.max_rate = input.tool.max_axis_rate;
@@ -127,7 +139,7 @@ planRegion(const DrivePlanInput& input, const PartChoice& choice, const Progress
   clock.end("locations");
   plan.tool = toolOf(input.tool, plan);
   plan.gouges_checked = input.check_gouges;
-  plan.covers_scan = input.drive.kind != DriveKind::Curve;
+  plan.covers_scan = input.drive.kind != DriveKind::Curve && input.passes.empty();
   leaveOut(input.tool, located, plan);
   if (const Status status =
           takeChecked(input.tool, located, "no pass has two cutter locations over the part; check the drive path and the tool axis", plan);
@@ -163,6 +175,10 @@ complete(DrivePlanInput& input)
                                                       " {mm} with this cutter: give a step-over ({setStepOver})")};
     drive.step_over = *step;
   }
+  if (!input.passes.empty() && (!input.check_gouges || input.regions.size() > 1))
+    return {StatusCode::InvalidArgument, Diagnostic("passes of your own ({setDrivePasses}) ",
+                                                    input.check_gouges ? "belong to one region: give one ({addRegion})"
+                                                                       : "are checked for gouges ({setGougeCheck}): leave that on")};
   if (!input.check_gouges && (!input.mesh || drive.kind != DriveKind::Planes))
     return {StatusCode::InvalidArgument, "only planes over a mesh have contacts without a check for gouges ({setGougeCheck}): leave it on"};
   return Status::success();

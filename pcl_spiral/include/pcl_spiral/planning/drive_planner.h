@@ -9,6 +9,7 @@
 #include <pcl_spiral/planning/impl/drive_planning.h>
 #include <pcl_spiral/planning/part_input.h>
 
+#include <utility>
 #include <vector>
 
 namespace pcl_spiral {
@@ -42,6 +43,11 @@ public:
    *  setters of their own. */
   void setPassSettings(const PassSettings& settings) { tool_ = settings; }
   const PassSettings& getPassSettings() const { return tool_; } ///< The value of setPassSettings.
+
+  /** Passes of the user's own in place of the drive path, such as those of DrivePath or MeshSections with some left out. They belong to
+   *  one region. Empty, the default: the drive path. */
+  void setDrivePasses(DrivePasses passes) { passes_ = std::move(passes); }
+  const DrivePasses& getDrivePasses() const { return passes_; } ///< The value of setDrivePasses.
 
   /** How a mesh that is given as polygons is prepared. */
   void setMeshSettings(const MeshSettings& settings) { mesh_settings_ = settings; }
@@ -110,6 +116,7 @@ private:
     input.check_gouges = check_gouges_;
     input.choice = this->choice();
     input.regions = this->regions_;
+    input.passes = passes_;
     input.drive = this->settings_;
     input.tool = tool_;
     input.tool.holder = this->holder_;
@@ -120,6 +127,7 @@ private:
     return planDrivePasses(input, plan_);
   }
 
+  DrivePasses passes_;
   PassSettings tool_;
   MeshSettings mesh_settings_;
   bool leave_out_strays_ = false, check_gouges_ = true, sample_mesh_ = true;

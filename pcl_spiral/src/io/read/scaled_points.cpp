@@ -2,6 +2,8 @@
 #include "scaled_points.h"
 
 #include "found_shift.h"
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/search/impl/usable_points.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +35,21 @@ movedPoints(const PointColumns& columns, const ReadOptions& options, const Eigen
     }
   cloud->is_dense = dense;
   return cloud;
+}
+
+/** \throw FileError if numbers are too large for any point to be used */
+void
+requireUsable(const std::string& file, const PointColumns& columns, const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  const auto isUsable = [](const pcl::PointXYZ& p) { return (p.getVector3fMap().array().abs() <= farthest_coordinate).all(); };
+  if (std::any_of(cloud.begin(), cloud.end(), isUsable))
+    return;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (const Eigen::Vector3d p(columns[0][i], columns[1][i], columns[2][i]); p.allFinite())
+      throw FileError(file, Diagnostic("all coordinates are too large, such as ", SixDigits(p.cwiseAbs().maxCoeff()), " of point ", i,
+                                       ": beyond ", farthest_coordinate,
+                                       " {mm} they mark missing points; look at the columns, or give the "
+                                       "unit ({ReadOptions::unit})"));
 }
 
 /** \p far: the coordinates are those of a map, which a shift takes away. */
@@ -76,6 +93,7 @@ scaledPoints(const std::string& file, const PointColumns& columns, const ReadOpt
   ScaledPoints points;
   points.shift = options.find_origin ? found : Eigen::Vector3d::Zero();
   points.cloud = movedPoints(columns, options, points.shift);
+  requireUsable(file, columns, *points.cloud);
   points.warnings = scaleWarnings(file, *points.cloud, !found.isZero(), !points.shift.isZero());
   return points;
 }

@@ -24,6 +24,7 @@ struct DrivePlanInput {
   bool check_gouges = true;                       ///< false: the cutter stands at the contacts of the mesh
   PartChoice choice;                              ///< without its region
   std::vector<PlanRegion> regions;                ///< none: all that the choice leaves
+  DrivePasses passes;                             ///< of the user's own; empty: those of drive
   DriveSettings drive;                            ///< scallop_height above 0: what the passes leave is checked
   PassSettings tool;                              ///< its cutter is that of drive
   ProgressCallback progress;                      ///< may be empty
