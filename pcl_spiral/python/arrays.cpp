@@ -28,7 +28,7 @@ normalsOf(const py::object& given, const std::string& name, std::size_t size)
     return nullptr;
   const PointColumns columns = columnsOf(given);
   if (columns[0].size() != size)
-    raise("invalid-argument", Diagnostic(name, "= has ", columns[0].size(), " rows for ", size, " points: give one a point"), {});
+    raise("invalid-argument", Diagnostic(name, "= has ", columns[0].size(), " rows for ", size, " points: give one a point"), {}, {name});
   return unitNormals(columns);
 }
 
@@ -47,12 +47,10 @@ meshOf(const pcl::PointCloud<pcl::PointXYZ>& vertices, const py::array_t<std::in
 }
 
 GivenScan
-readFile(const std::string& file, const Keywords& keywords, const ReadOptions& options)
+readFile(const std::string& file, bool has_faces, const ReadOptions& options)
 {
   GivenScan scan;
-  if (const py::object faces = keywords["faces"]; !faces.is_none() && !faces.is(py::bool_(false))) {
-    if (!faces.is(py::bool_(true)))
-      raiseType(Diagnostic(file, ": its own faces are used by faces=True; an array of faces belongs to an array of points"));
+  if (has_faces) {
     const MeshFile mesh = readMesh(file, options);
     scan.mesh = mesh.mesh;
     scan.shift = mesh.shift;
@@ -75,13 +73,13 @@ columnsOf(const py::object& columns)
 std::vector<Setting>
 GivenUnits::table()
 {
-  return {Setting("unit", "ReadOptions::unit", "unit of the numbers", "unit of the points, and of polygons, lines and places in files", "m",
-                  unit),
-          Setting("origin", "ReadOptions::origin", "origin",
-                  "subtracted from the points, in their unit; the path is then relative to it. Without it map coordinates are shifted "
-                  "inside, and back in the results",
-                  "393775,3689071,0", origin)
-              .zeroFor("none, or a found one")};
+  return {
+      Setting("unit", "ReadOptions::unit", "unit of the numbers", "unit of the points, and of all places, polygons and lines", "m", unit),
+      Setting("origin", "ReadOptions::origin", "origin",
+              "subtracted from the points, in their unit; the path is then relative to it. Without it map coordinates are shifted "
+              "inside, and back in the results",
+              "393775,3689071,0", origin)
+          .zeroFor("none, or a found one")};
 }
 
 ReadOptions
@@ -117,55 +115,67 @@ GivenScan
 scanOf(const py::object& points, const Keywords& keywords, const GivenUnits& units, const Words& words, const std::string& normals)
 {
   const ReadOptions options = units.options();
-  if (py::isinstance<py::str>(points))
-    return withFiles(words, [&] { return readFile(points.cast<std::string>(), keywords, options); });
-  ScaledPoints scaled = scaledPoints("points", columnsOf(points), options);
+  const py::object faces = keywords["faces"];
+  const bool own_faces = faces.is(py::bool_(true)), has_rows = py::isinstance<py::array>(faces);
+  if (py::isinstance<py::str>(points)) {
+    const auto file = points.cast<std::string>();
+    if (has_rows)
+      raiseType(Diagnostic(file, ": its own faces are used by faces=True; an array of faces belongs to an array of points"));
+    return withFiles(words, [&] { return readFile(file, own_faces, options); });
+  }
+  const PointColumns columns = columnsOf(points);
+  const ScaledPoints scaled = withFiles(
+      words, [&] { return scaledPoints("points", columns, options); }, "invalid-input");
   GivenScan scan;
   scan.cloud = scaled.cloud;
   scan.shift = scaled.shift;
   scan.warnings = scaled.warnings;
   scan.normals = normalsOf(keywords[normals], normals, scan.cloud->size());
-  if (const py::object faces = keywords["faces"]; py::isinstance<py::array>(faces))
+  if (has_rows)
     scan.mesh = meshOf(*scan.cloud, faces);
-  else if (faces.is(py::bool_(true)))
+  else if (own_faces)
     raiseType("faces=True uses the faces of a file, and points= is an array: give rows of points=, (M, 3)");
   return scan;
 }
 
 Polyline
-lineOf(const py::object& points, const ReadOptions& read, const Words& words)
+lineOf(const py::object& points, const Words& words)
 {
   Polyline line;
   if (py::isinstance<py::str>(points)) {
-    const Scan scan = withFiles(words, [&] { return readCloud(points.cast<std::string>(), read); });
+    const auto file = points.cast<std::string>();
+    const Scan scan = withFiles(words, [&] { return readCloud(file, words.read); });
     for (const pcl::PointXYZ& p : *scan.cloud)
       line.push_back(p.getVector3fMap().cast<double>());
   }
-  else if (!points.is_none())
-    line = cornersOf(points, read);
+  else if (!points.is_none()) {
+    const py::array_t<double> rows = points;
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+      const double z = rows.shape(1) == 3 ? rows.at(i, 2) : words.read.origin.z();
+      line.push_back(millimetres(words.read.unit) * (Eigen::Vector3d(rows.at(i, 0), rows.at(i, 1), z) - words.read.origin));
+    }
+  }
   return line;
 }
 
-Polyline
-cornersOf(const py::array_t<double>& rows, const ReadOptions& read)
+py::array
+rowsOf(Polyline places, const Eigen::Vector3d& shift)
 {
-  Polyline corners;
-  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-    const double z = rows.shape(1) == 3 ? rows.at(i, 2) : read.origin.z();
-    corners.push_back(millimetres(read.unit) * (Eigen::Vector3d(rows.at(i, 0), rows.at(i, 1), z) - read.origin));
-  }
-  return corners;
+  for (Eigen::Vector3d& place : places)
+    place += shift;
+  return rowsOf(places);
 }
 
 Prism
-polygonOf(const std::string& name, const py::object& corners, const ReadOptions& read, const Words& words)
+polygonOf(const std::string& name, const py::object& corners, const Words& words)
 {
-  if (py::isinstance<py::str>(corners))
-    return withFiles(words, [&] { return readPolygon(corners.cast<std::string>(), read); });
-  const py::array_t<double> rows = corners;
-  Prism prism = prismOver(cornersOf(rows, read), rows.shape(1) == 3);
+  if (py::isinstance<py::str>(corners)) {
+    const auto file = corners.cast<std::string>();
+    return withFiles(words, [&] { return readPolygon(file, words.read); });
+  }
+  Prism prism = prismOver(lineOf(corners, words), py::array(corners).shape(1) == 3);
   if (!prism.fault().empty())
-    raise("invalid-argument", Diagnostic(name, "= is no area: ", prism.fault()), words);
+    raise("invalid-argument", Diagnostic(name, "= is no area: ", prism.fault()), words, {name});
   return prism;
 }
 

@@ -61,16 +61,37 @@ std::vector<Input> scanInputs();
 
 /** Reads \p points: a file, or columns with faces= and the keyword \p normals. */
 GivenScan scanOf(const py::object& points, const Keywords& keywords, const GivenUnits& units, const Words& words,
-                 const std::string& normals = "normals");
+                 const std::string& normals);
 
-/** Points of rows (N, 3) or of a file, in their order; none of None. */
-Polyline lineOf(const py::object& points, const ReadOptions& read, const Words& words);
-
-/** Places of rows (N, 2) or (N, 3). */
-Polyline cornersOf(const py::array_t<double>& rows, const ReadOptions& read);
+/** Places of rows (N, 2) or (N, 3), or of a file, in their order; none of None. */
+Polyline lineOf(const py::object& points, const Words& words);
 
 /** A polygon of rows or of a file. */
-Prism polygonOf(const std::string& name, const py::object& corners, const ReadOptions& read, const Words& words);
+Prism polygonOf(const std::string& name, const py::object& corners, const Words& words);
+
+/** Vectors as (N, 3) numbers of their own. */
+template <typename Vectors>
+py::array
+rowsOf(const Vectors& vectors)
+{
+  using Number = typename Vectors::value_type::Scalar;
+  return py::array_t<Number>({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}},
+                             vectors.empty() ? nullptr : vectors.front().data());
+}
+
+/** Places as (N, 3) rows, mm, in the coordinates before \p shift was subtracted. */
+py::array rowsOf(Polyline places, const Eigen::Vector3d& shift);
+
+/** Rows (N, 3) as vectors. */
+template <typename Vector>
+std::vector<Vector>
+vectorsOf(const py::array_t<typename Vector::Scalar>& rows)
+{
+  std::vector<Vector> vectors(static_cast<std::size_t>(rows.shape(0)));
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    vectors[i] = Eigen::Map<const Vector>(rows.data(static_cast<py::ssize_t>(i), 0));
+  return vectors;
+}
 
 /** Parts of (lower radius, upper radius, length), upwards. */
 std::vector<ToolSegment> holderOf(const py::list& parts);

@@ -1,54 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "errors.h"
 
+#include <pybind11/stl.h>
+
+#include <utility>
+
 namespace pcl_spiral::python {
-namespace {
 
-py::tuple
-placesOf(const Diagnostic& diagnostic, const Eigen::Vector3d& shift)
+Words::Words(Vocabulary given, const ReadOptions& given_read) : vocabulary(std::move(given)), read(given_read)
 {
-  py::list places;
-  for (const Eigen::Vector3d& place : diagnostic.places())
-    places.append(py::make_tuple(place.x() + shift.x(), place.y() + shift.y(), place.z() + shift.z()));
-  return py::tuple(places);
+  if (read.unit != LengthUnit::Millimetre || !read.origin.isZero())
+    vocabulary.place = [given_read](const Eigen::Vector3d& place) { return placeText(shown(place, given_read)); };
 }
-
-/** The keywords for the settings that are named; names of C++ for which there is none are left out. */
-py::tuple
-settingsOf(const Diagnostic& diagnostic, const Vocabulary& vocabulary)
-{
-  py::list names;
-  for (const std::string& setter : diagnostic.settings())
-    if (const auto found = vocabulary.words.find(setter); found != vocabulary.words.end()) {
-      const std::string& word = found->second;
-      names.append(word.substr(0, word.find('=')));
-    }
-  return py::tuple(names);
-}
-
-std::string
-codeOf(StatusCode code)
-{
-  switch (code) {
-  case StatusCode::InvalidArgument:
-    return "invalid-argument";
-  case StatusCode::InvalidInput:
-    return "invalid-input";
-  case StatusCode::Cancelled:
-    return "cancelled";
-  default:
-    return "failed";
-  }
-}
-
-} // namespace
 
 void
-raise(const std::string& code, const Diagnostic& diagnostic, const Words& words)
+raise(const std::string& code, const Diagnostic& diagnostic, const Words& words, const std::vector<std::string>& names)
 {
+  py::list places, settings = py::cast(names);
+  for (const Eigen::Vector3d& place : diagnostic.places()) {
+    const Eigen::Vector3d p = shown(place, words.read);
+    places.append(py::make_tuple(p.x(), p.y(), p.z()));
+  }
+  for (const std::string& setter : diagnostic.settings()) // names of C++ for which there is no keyword are left out
+    if (const auto found = words.vocabulary.words.find(setter); found != words.vocabulary.words.end())
+      settings.append(found->second.substr(0, found->second.find('=')));
   const py::object type = py::module_::import("pcl_spiral._results").attr("Error");
-  const py::object error =
-      type(words.text(diagnostic), diagnostic.id(), code, placesOf(diagnostic, words.shift), settingsOf(diagnostic, words.vocabulary));
+  const py::object error = type(words.text(diagnostic), diagnostic.id(), code, py::tuple(places), py::tuple(settings));
   PyErr_SetObject(type.ptr(), error.ptr());
   throw py::error_already_set();
 }
@@ -56,8 +33,9 @@ raise(const std::string& code, const Diagnostic& diagnostic, const Words& words)
 void
 require(const Status& status, const Words& words)
 {
+  constexpr const char* codes[] = {"failed", "", "invalid-argument", "invalid-input", "failed", "cancelled"};
   if (!status.ok())
-    raise(codeOf(status.code()), status.diagnostic(), words);
+    raise(codes[static_cast<std::size_t>(status.code())], status.diagnostic(), words);
 }
 
 void

@@ -38,7 +38,7 @@ struct TakeValue {
 private:
   [[noreturn]] void refuse(const Diagnostic& rule) const
   {
-    raise("invalid-argument", Diagnostic(setting.name, "=", std::string(py::str(py::repr(value))), ": it ", rule), words);
+    raise("invalid-argument", Diagnostic(setting.name, "=", std::string(py::str(py::repr(value))), ": it ", rule), words, {setting.name});
   }
 
   template <typename Integer>
@@ -52,6 +52,26 @@ private:
     }
   }
 };
+
+/** The value of a setting. */
+struct GiveValue {
+  template <typename Value>
+  py::object operator()(Value* value) const
+  {
+    return py::cast(*value);
+  }
+  py::object operator()(Eigen::Vector3d* place) const { return py::make_tuple(place->x(), place->y(), place->z()); }
+  py::object operator()(std::optional<Eigen::Vector3d>* place) const { return *place ? (*this)(&**place) : py::none(); }
+  py::object operator()(const ChoiceTarget& target) const { return py::str(target.get()); }
+};
+
+/** Whether it is in the coordinates of the points; others are directions, and the origin. */
+bool
+isPlace(const Setting& setting)
+{
+  static const std::set<std::string> places{"part_at", "view_point", "center", "start", "column_centre"};
+  return places.count(setting.name) > 0;
+}
 
 /** What the variable of a setting is, by the place of its type in Setting::Target. */
 constexpr const char* kinds[] = {"bool", "int", "int", "float", "Place", "float | None", "Place | None", "Literal"};
@@ -67,11 +87,39 @@ placeFrom(const py::handle& value)
 }
 
 std::vector<Setting>
-without(std::vector<Setting> table, const std::set<std::string>& names)
+only(const std::vector<Setting>& table, const std::set<std::string>& names, bool are_kept)
 {
-  table.erase(std::remove_if(table.begin(), table.end(), [&](const Setting& setting) { return names.count(setting.name) > 0; }),
-              table.end());
-  return table;
+  std::vector<Setting> kept;
+  std::copy_if(table.begin(), table.end(), std::back_inserter(kept),
+               [&](const Setting& setting) { return (names.count(setting.name) > 0) == are_kept; });
+  return kept;
+}
+
+py::dict
+valuesOf(const std::vector<Setting>& settings)
+{
+  py::dict values;
+  for (const Setting& setting : settings)
+    values[setting.name.c_str()] = std::visit(GiveValue(), setting.target);
+  return values;
+}
+
+void
+Keywords::readPlaces(const ReadOptions& read)
+{
+  for (const Setting& setting : settings_)
+    if (auto* const* place = std::get_if<std::optional<Eigen::Vector3d>*>(&setting.target); place && **place && isPlace(setting))
+      **place = millimetres(read.unit) * (***place - read.origin);
+}
+
+std::set<std::string>
+Keywords::asked() const
+{
+  std::set<std::string> names;
+  for (const auto& [name, value] : given_)
+    if (!value.is_none())
+      names.insert(py::str(name));
+  return names;
 }
 
 std::vector<std::string>

@@ -36,6 +36,11 @@ public:
    *  take. */
   void take(const py::dict& given);
 
+  /** Takes the places among the settings out of the coordinates of the user. */
+  void readPlaces(const ReadOptions& read);
+
+  /** The names that were given. */
+  std::set<std::string> asked() const;
   bool isGiven(const std::string& name) const { return given_.contains(name) && !given_[name.c_str()].is_none(); }
   /** The value of an input; None if it is not given. */
   py::object operator[](const std::string& name) const { return isGiven(name) ? py::object(given_[name.c_str()]) : py::none(); }
@@ -59,10 +64,19 @@ private:
   py::dict given_;
 };
 
-/** \p table without the settings of these \p names. */
-std::vector<Setting> without(std::vector<Setting> table, const std::set<std::string>& names);
+/** The settings of \p table with one of these \p names; the others if \p are_kept is false. */
+std::vector<Setting> only(const std::vector<Setting>& table, const std::set<std::string>& names, bool are_kept = true);
 
 /** Three numbers. */
 Eigen::Vector3d placeFrom(const py::handle& value);
+/** The same in the coordinates of the cloud. */
+inline Eigen::Vector3d
+placeFrom(const py::handle& value, const ReadOptions& read)
+{
+  return millimetres(read.unit) * (placeFrom(value) - read.origin);
+}
+
+/** The values of \p settings by their names. */
+py::dict valuesOf(const std::vector<Setting>& settings);
 
 } // namespace pcl_spiral::python

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parts.h"
 
-#include "io/report/moved_places.h"
 #include "planning/pass_defaults.h"
 
 namespace pcl_spiral::python {
@@ -47,23 +46,34 @@ completeCutter(const Keywords& keywords, const Words& words, CutterShape& cutter
   if (!keywords.isGiven("corner_radius"))
     setLargestCorner(cutter);
   if (const Diagnostic fault = faultOf(cutter); cutter.radius > 0.0 && !fault.empty())
-    raise("invalid-argument", Diagnostic("tool_radius=, corner_radius=, flank_length= and flank_angle=: ", fault), words);
+    raise("invalid-argument", Diagnostic("tool_radius=, corner_radius=, flank_length= and flank_angle=: ", fault), words,
+          {"tool_radius", "corner_radius", "flank_length", "flank_angle"});
 }
 
 void
-Call::read(const py::object& points, const Keywords& keywords, SurfaceSettings& surface, const std::string& normals)
+requireUsed(const std::optional<IdleSetting>& idle, const Words& words)
 {
-  words.vocabulary = keywords.vocabulary();
-  words.vocabulary.words.insert(
-      {{"setInputCloud", "points"}, {"ScannedSurface", "scan"}, {"Scale it to mm", "Give its unit=, or scale it to mm"}});
+  if (idle)
+    raise("invalid-argument", Diagnostic(idle->name, "=", idle->remedy), words, {idle->name});
+}
+
+void
+Call::begin(Keywords& keywords, const py::dict& given, const py::object& points, SurfaceSettings& surface, const std::string& normals)
+{
+  keywords.take(given);
+  Vocabulary vocabulary = keywords.vocabulary();
+  vocabulary.words.insert({{"setInputCloud", "points"},
+                           {"setInputMesh", "faces="},
+                           {"ScannedSurface", "scan"},
+                           {"DriveCylinder::axis", "column_axis="},
+                           {"Scale it to mm", "Give its unit=, or scale it to mm"}});
+  words = {vocabulary, units.options()};
   if (!points.is_none())
     scan = scanOf(points, keywords, units, words, normals);
-  words.shift = scan.shift;
-  words.vocabulary = movedBy(scan.shift, words.vocabulary);
   if (scan.mesh)
-    words.vocabulary.words.insert({{"scan", "mesh"}, {"cloud", "mesh"}, {"scanned surface", "surface"}, {"on the scan", "on the mesh"}});
-  intoCloud(surface.part_at, scan.shift);
-  intoCloud(surface.view_point, scan.shift);
+    vocabulary.words.insert({{"scan", "mesh"}, {"cloud", "mesh"}, {"scanned surface", "surface"}, {"on the scan", "on the mesh"}});
+  words = {vocabulary, units.options(scan.shift)};
+  keywords.readPlaces(words.read);
   scan.asked_view_point = surface.view_point;
   surface.view_point = std::nullopt;
   scan.trust_given = scan.name.empty() || keywords.isGiven("trust_normals");
@@ -80,14 +90,15 @@ Call::files(const Diagnostics& warnings) const
 }
 
 Eigen::AlignedBox3d
-boxOf(const py::array_t<double>& numbers, const ReadOptions& read, const Words& words)
+boxOf(const py::array_t<double>& numbers, const Words& words)
 {
   constexpr double endless = 1e30;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(-endless), high = Eigen::Vector3d::Constant(endless);
   for (py::ssize_t i = 0; i < numbers.size(); ++i)
     (i % 2 == 0 ? low : high)[i / 2] = numbers.at(i);
   if (!(low.array() < high.array()).all())
-    raise("invalid-argument", "crop=: the second number of each pair must be above the first", words);
+    raise("invalid-argument", "crop=: the second number of each pair must be above the first", words, {"crop"});
+  const ReadOptions& read = words.read;
   return Eigen::AlignedBox3d(millimetres(read.unit) * (low - read.origin), millimetres(read.unit) * (high - read.origin));
 }
 

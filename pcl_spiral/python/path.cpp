@@ -101,17 +101,14 @@ save(const Path& path, const std::string& file)
   if (!is_known)
     raise("invalid-argument",
           Diagnostic(file, ": the extension '", extension,
-                     "' is not known; use .csv .pcd .ply .vtp .6d .5d or .json, and program() for programs, CLDATA and robot frames"),
-          {});
+                     "' is not known; use .csv .pcd .ply .vtp .6d .5d or .json, and program() for programs, CLDATA and robot frames"));
   if (!path.motion.tips.empty() && (extension == ".pcd" || extension == ".ply"))
     raise("invalid-argument",
           Diagnostic(file, ": this format holds contacts, and only for a ball do they give the tips; write the path of this tool as .csv, "
-                           ".vtp, .6d or a program"),
-          {});
-  withFiles({}, [&] {
-    const py::gil_scoped_release release;
+                           ".vtp, .6d or a program"));
+  withFiles({}, [&file, &extension, held = path] { // which another thread may read meanwhile
     OutputFiles files({file});
-    writeTo(path, files.temporary(0), extension);
+    writeTo(held, files.temporary(0), extension);
     files.commit();
   });
 }
@@ -199,10 +196,10 @@ addPath(py::module_& module)
       .def_property_readonly("tool_radius", [](const Path& path) { return path.motion.tool_radius; })
       .def_property_readonly("feed", [](const Path& path) { return path.motion.feed; })
       .def_property_readonly("warnings", [](const Path& path) { return py::tuple(py::cast(path.warnings)); })
-      .def_property_readonly("report_text", [](const Path& path) { return path.report; })
+      .def_property_readonly("_report_text", [](const Path& path) { return path.report; })
       .def("__len__", [](const Path& path) { return path.points->size(); })
-      .def("write", &save)
-      .def("write_program", &writeProgram)
+      .def("_write", &save)
+      .def("_write_program", &writeProgram)
       .def(py::pickle(&stateOf, &fromState));
 }
 

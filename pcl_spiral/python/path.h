@@ -23,6 +23,7 @@ struct PathSource {
   std::shared_ptr<const PassPlan> passes;   ///< null: a spiral
   PassSettings tool;                        ///< of passes
   std::string title;                        ///< the name of its scan, for comments in programs
+  ReadOptions read;                         ///< how the coordinates of the user become those of the cloud
 };
 
 /** A path. The arrays are views of this object, and live as long as one of them. */

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // spiral(), drive() and ridge(): keywords, planner, path.
-#include "parts.h"
 #include "path.h"
+#include "stages.h"
 
 #include "planning/input_tables.h"
 #include "planning/pass_defaults.h"
+#include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/io/pass_report_writer.h>
 #include <pcl_spiral/planning/drive_planner.h>
 #include <pcl_spiral/planning/ridge_planner.h>
 #include <pcl_spiral/planning/spiral_planner.h>
 
+#include <pybind11/stl.h>
+
+#include <array>
 #include <filesystem>
 
 namespace pcl_spiral::python {
@@ -40,14 +44,16 @@ titleOf(const GivenScan& scan)
 struct SpiralCall : Call {
   SpiralSettings settings;
   PlanInput input; ///< beside the settings
-  Keywords keywords{"spiral", settingTable(settings) + settingTable(input) + units.table(), partInputs() + holder_input + progress_input};
+  Keywords keywords{"spiral", settingTable(settings) + settingTable(input) + units.table(),
+                    partInputs() + holder_input + own_stage_inputs + progress_input};
 };
 
 void
-setSpiral(SpiralCall& call, SpiralPlanner<pcl::PointXYZ>& planner)
+setSpiral(const SpiralCall& call, const Run& run, SpiralPlanner<pcl::PointXYZ>& planner)
 {
-  intoCloud(call.settings.centre, call.scan.shift);
-  intoCloud(call.settings.start_point, call.scan.shift);
+  AskedJob job = call.asked(call.keywords);
+  job.keeps_axis = call.input.ball_closing;
+  requireUsed(idleSetting(call.keywords.asked(), call.settings, job), call.words);
   planner.setSettings(call.settings);
   setPart(call, call.keywords, planner);
   planner.setHolder(holderOf(call.keywords.list("holder")));
@@ -56,17 +62,18 @@ setSpiral(SpiralCall& call, SpiralPlanner<pcl::PointXYZ>& planner)
   planner.setAcceptCollisions(call.input.accept_collisions);
   planner.setBallClosing(call.input.ball_closing);
   planner.setSampleSpacing(call.input.sample_spacing);
+  setOwnStages(call.keywords, run, call.scan.shift, planner);
 }
 
 Path
 spiral(const py::object& points, const py::dict& given)
 {
   SpiralCall call;
-  call.keywords.take(given);
-  call.read(points, call.keywords, call.settings);
+  call.begin(call.keywords, given, points, call.settings);
+  const Run run(call.keywords["progress"]);
   const auto planner = std::make_shared<SpiralPlanner<pcl::PointXYZ>>();
-  setSpiral(call, *planner);
-  compute(planner, call.keywords, call.words);
+  setSpiral(call, run, *planner);
+  compute(planner, run, call.words);
   const auto plan = planOf<SpiralPlan>(planner);
   const Diagnostics reading = joined(call.scan.warnings, plan->part.warnings);
   Path path;
@@ -74,7 +81,7 @@ spiral(const py::object& points, const py::dict& given)
   path.motion = {call.settings.tool_radius, call.settings.feed, {}, plan->report.pass_begins, call.scan.shift};
   path.report = reportJSON(call.files(reading), reportOf(*plan));
   path.warnings = call.texts(joined(reading, plan->report.warnings));
-  path.source = std::make_shared<PathSource>(PathSource{plan, nullptr, {}, titleOf(call.scan)});
+  path.source = std::make_shared<PathSource>(PathSource{plan, nullptr, {}, titleOf(call.scan), call.words.read});
   return path;
 }
 
@@ -88,10 +95,10 @@ struct PassCall : Call {
     return cutterTable(tool.cutter, NumberRange::from(0.0)) + settingTable(tool) +
            std::vector<Setting>{
                Setting("feed", "setFeed", "feed", "feed at the contact", "2500", feed).in("mm/min", NumberRange::above(0.0))} +
-           without(settingTable(surface), {"neighbours", "alpha"}) + units.table(); // those that planners of passes heed
+           only(settingTable(surface), {"neighbours", "alpha"}, false) + units.table(); // those that planners of passes heed
   }
 
-  AskedSettings asked(const Keywords& keywords) const
+  AskedSettings completed(const Keywords& keywords) const
   {
     return {keywords.isGiven("rows"), keywords.isGiven("point_spacing"), keywords.isGiven("tolerance"), keywords.isGiven("chord_error")};
   }
@@ -112,25 +119,52 @@ struct PassCall : Call {
             std::make_shared<const ToolPoses>(std::move(poses)),
             report,
             texts(warnings),
-            std::make_shared<PathSource>(PathSource{nullptr, plan, tool, titleOf(scan)})};
+            std::make_shared<PathSource>(PathSource{nullptr, plan, tool, titleOf(scan), words.read})};
   }
 };
 
+/** drive(), or with passes of the user's own cutter_locations(), or sections(). */
 struct DriveCall : PassCall {
   DrivePlanInput input;
   MeshSettings mesh;
   std::optional<Eigen::Vector3d> column_axis, column_centre;
-  Keywords keywords{
-      "drive",
-      passTable(input.tool) + settingTable(input.drive) + settingTable(input) + settingTable(mesh) +
-          std::vector<Setting>{
-              Setting("column_axis", "setCylinder", "axis of the column", "direction that helix and rings go round", "0,0,1", column_axis)
-                  .zeroFor("found from the scan"),
-              Setting("column_centre", "DriveCylinder::origin", "centre of the column", "a place on that axis", "20,5,0", column_centre)
-                  .zeroFor("0,0,0")},
-      partInputs() + holder_input +
-          std::vector<Input>{{"curve", "ArrayLike | File | None", "points in order, (N, 3) or a file, for drive='curve'", {}}} +
-          progress_input};
+  Keywords keywords;
+
+  explicit DriveCall(const std::string& name)
+  : keywords(name,
+             name == "cutter_locations"
+                 ? passTable(input.tool) + settingTable(mesh) + only(settingTable(input), {"curve_closed", "gouge_check"}, false)
+             : name == "sections" ? path() + cutterTable(input.tool.cutter, NumberRange::from(0.0)) + settingTable(surface) + units.table()
+                                  : path() + passTable(input.tool) + settingTable(input),
+             name == "sections" ? scanInputs() + curve_input + progress_input
+                                : partInputs() + holder_input + (name == "drive" ? curve_input : std::vector<Input>()) + progress_input)
+  {}
+
+  void begin(const py::dict& given, const py::object& points)
+  {
+    Call::begin(keywords, given, points, surface);
+    AskedJob job = asked(keywords);
+    job.checks_gouges = input.check_gouges;
+    requireUsed(idleSetting(keywords.asked(), input.drive, input.tool, job), words);
+    if (column_axis)
+      input.drive.cylinder = DriveCylinder{column_centre.value_or(Eigen::Vector3d::Zero()), *column_axis};
+    input.drive.curve = lineOf(keywords["curve"], words);
+    surface.flip_normals = surface.flip_normals && !job.on_mesh; // the mesh is turned
+  }
+
+private:
+  /** Those of the drive path. */
+  std::vector<Setting> path()
+  {
+    return settingTable(input.drive) + settingTable(mesh) +
+           std::vector<Setting>{
+               Setting("column_axis", "setCylinder", "axis of the column", "direction that helix and rings go round", "0,0,1", column_axis)
+                   .zeroFor("found from the scan"),
+               Setting("column_centre", "DriveCylinder::origin", "centre of the column", "a place on that axis", "20,5,0", column_centre)
+                   .zeroFor("0,0,0")};
+  }
+  static inline const std::vector<Input> curve_input{
+      {"curve", "ArrayLike | File | None", "points in order, (N, 3) or a file, for drive='curve'", {}}};
 };
 
 using OpenDrivePlanner = OpenPlanner<DrivePlanner<pcl::PointXYZ>>;
@@ -138,18 +172,12 @@ using OpenDrivePlanner = OpenPlanner<DrivePlanner<pcl::PointXYZ>>;
 void
 setDrive(DriveCall& call, OpenDrivePlanner& planner)
 {
-  DriveSettings& drive = call.input.drive;
-  const bool on_mesh = call.scan.mesh != nullptr;
   completeCutter(call.keywords, call.words, call.input.tool.cutter);
-  completeDrive(call.asked(call.keywords), call.input.tool, on_mesh, drive);
-  if (call.column_axis)
-    drive.cylinder = DriveCylinder{call.column_centre.value_or(Eigen::Vector3d::Zero()) - call.scan.shift, *call.column_axis};
-  drive.curve = lineOf(call.keywords["curve"], call.beside(), call.words);
-  call.surface.flip_normals = call.surface.flip_normals && !on_mesh; // the mesh is turned
+  completeDrive(call.completed(call.keywords), call.input.tool, call.scan.mesh != nullptr, call.input.drive);
   planner.setSurface(call.surface);
   setPart(call, call.keywords, planner);
   planner.setHolder(holderOf(call.keywords.list("holder")));
-  planner.setSettings(drive);
+  planner.setSettings(call.input.drive);
   planner.setPassSettings(call.input.tool);
   planner.setMeshSettings(call.mesh);
   planner.setHolderClearance(call.input.tool.holder_clearance);
@@ -159,14 +187,12 @@ setDrive(DriveCall& call, OpenDrivePlanner& planner)
 }
 
 Path
-drive(const py::object& points, const py::dict& given)
+planDrive(DriveCall& call, const DrivePasses& passes)
 {
-  DriveCall call;
-  call.keywords.take(given);
-  call.read(points, call.keywords, call.surface);
   const auto planner = std::make_shared<OpenDrivePlanner>();
   setDrive(call, *planner);
-  compute(planner, call.keywords, call.words);
+  planner->setDrivePasses(passes);
+  compute(planner, Run(call.keywords["progress"]), call.words);
   const auto plan = planOf<PassPlan>(planner);
   const DriveRun run{{call.input.tool, call.feed, std::nullopt},
                      call.input.drive,
@@ -177,11 +203,71 @@ drive(const py::object& points, const py::dict& given)
   return call.pathOf(plan, call.input.tool, joined(reading, plan->warnings), driveReportJSON(call.files(reading), run, *plan));
 }
 
+Path
+drive(const py::object& points, const py::dict& given)
+{
+  DriveCall call("drive");
+  call.begin(given, points);
+  return planDrive(call, {});
+}
+
+/** Passes as rows of positions, axes and normals, mm. A closed one ends where it begins. */
+py::list
+sections(const py::object& points, const py::dict& given)
+{
+  DriveCall call("sections");
+  call.begin(given, points);
+  if (call.keywords.isGiven("tool_radius")) {
+    completeCutter(call.keywords, call.words, call.input.tool.cutter);
+    completeDrive(call.completed(call.keywords), call.input.tool, call.scan.mesh != nullptr, call.input.drive);
+  }
+  const auto path = std::make_shared<OpenPlanner<DrivePath<pcl::PointXYZ>>>();
+  path->setSurface(call.surface);
+  setScan(call.scan, *path);
+  if (SurfaceMesh::ConstPtr mesh; call.scan.mesh) {
+    require(SurfaceMesh::make(*call.scan.mesh, call.mesh, mesh), call.words);
+    path->setInputMesh(mesh);
+  }
+  path->setSettings(call.input.drive);
+  const auto passes = std::make_shared<DrivePasses>();
+  compute(path, Run(call.keywords["progress"]), call.words, passes);
+  py::list all;
+  for (DrivePass& pass : *passes) {
+    if (pass.closed)
+      pass.points.push_back(pass.points.front());
+    Polyline columns[3];
+    for (const DrivePoint& p : pass.points) {
+      columns[0].push_back(p.position);
+      columns[1].push_back(p.axis);
+      columns[2].push_back(p.normal);
+    }
+    all.append(py::make_tuple(rowsOf(columns[0], call.scan.shift), rowsOf(columns[1]), rowsOf(columns[2])));
+  }
+  return all;
+}
+
+Path
+cutterLocations(const py::object& points, const py::list& given_passes, const py::dict& given)
+{
+  DriveCall call("cutter_locations");
+  call.begin(given, points);
+  DrivePasses passes;
+  for (const py::handle pass : given_passes) {
+    const auto columns = pass.cast<std::array<py::array_t<double>, 3>>();
+    const auto positions = vectorsOf<Eigen::Vector3d>(columns[0]), axes = vectorsOf<Eigen::Vector3d>(columns[1]),
+               normals = vectorsOf<Eigen::Vector3d>(columns[2]);
+    passes.emplace_back();
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      passes.back().points.push_back({positions[i] - call.scan.shift, axes[i], normals[i]});
+  }
+  return planDrive(call, passes);
+}
+
 struct RidgeCall : PassCall {
   RidgePlanInput input;
   Keywords keywords{
       "ridge",
-      settingTable(input.rows) + settingTable(input.ridge) + without(passTable(input.tool), {"flip_normals", "part_at", "clusters"}) +
+      settingTable(input.rows) + settingTable(input.ridge) + only(passTable(input.tool), {"flip_normals", "part_at", "clusters"}, false) +
           settingTable(input),
       std::vector<Input>{{"scan_normals", "ArrayLike | None", "(N, 3), one a point of the scan, out of the material", {"setInputNormals"}},
                          {"rail", "ArrayLike | File | None", "points measured along the ridge, in any order", {"setMeasuredLines"}},
@@ -196,14 +282,15 @@ void
 setRidge(RidgeCall& call, OpenRidgePlanner& planner)
 {
   RidgePlanInput& input = call.input;
+  requireUsed(idleSetting(call.keywords.asked(), input.tool, call.asked(call.keywords)), call.words);
   completeCutter(call.keywords, call.words, input.tool.cutter);
-  completeRidge(call.asked(call.keywords), input.tool, input.rows);
+  completeRidge(call.completed(call.keywords), input.tool, input.rows);
   input.tool.holder = holderOf(call.keywords.list("holder"));
   if (!call.scan.cloud->empty())
     planner.setInputCloud(call.scan.cloud);
   planner.setSurface(call.surface);
   call.scan.setSide(planner);
-  const auto line = [&call](const char* name) { return lineOf(call.keywords[name], call.beside(), call.words); };
+  const auto line = [&call](const char* name) { return lineOf(call.keywords[name], call.words); };
   planner.setMeasuredLines(line("rail"), line("generator"));
   planner.setRoughPoints(line("through"));
   planner.setClosed(input.closed);
@@ -218,11 +305,10 @@ Path
 ridge(const py::object& points, const py::dict& given)
 {
   RidgeCall call;
-  call.keywords.take(given);
-  call.read(points, call.keywords, call.surface, "scan_normals");
+  call.begin(call.keywords, given, points, call.surface, "scan_normals");
   const auto planner = std::make_shared<OpenRidgePlanner>();
   setRidge(call, *planner);
-  compute(planner, call.keywords, call.words);
+  compute(planner, Run(call.keywords["progress"]), call.words);
   const RidgePlanInput& input = call.input;
   const RidgePlan& plan = planner->getPlan();
   const RidgeRun run{
@@ -238,9 +324,12 @@ addPlanning(py::module_& module, py::dict& tables)
 {
   module.def("spiral", &spiral);
   module.def("drive", &drive);
+  module.def("sections", &sections);
+  module.def("cutter_locations", &cutterLocations);
   module.def("ridge", &ridge);
   tables["spiral"] = SpiralCall().keywords.table();
-  tables["drive"] = DriveCall().keywords.table();
+  for (const char* name : {"drive", "sections", "cutter_locations"})
+    tables[name] = DriveCall(name).keywords.table();
   tables["ridge"] = RidgeCall().keywords.table();
 }
 

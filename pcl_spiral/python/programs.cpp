@@ -6,7 +6,6 @@
 #include "io/byte_file.h"
 #include "io/post/plan_program.h"
 #include "io/post/post_check.h"
-#include "io/report/moved_places.h"
 #include "io/setting_names.h"
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/machine_reader.h>
@@ -74,7 +73,7 @@ machineOf(const ProgramCall& call, const std::string& file, const std::string& m
 {
   if (const Diagnostic missing = missingFor(file, !machine_file.empty(), call.dialect.has_value(), call.header.tool); !missing.empty())
     raise("invalid-argument", Diagnostic(file, ": ", missing), words);
-  Machine machine = machine_file.empty() ? xyzacTrunnion() : withFiles(words, [&] { return readMachine(machine_file); });
+  const Machine machine = machine_file.empty() ? xyzacTrunnion() : withFiles(words, [&] { return readMachine(machine_file); });
   if (const Diagnostic fault = faultOfSettings(language, machine, call.header); !fault.empty())
     raise("invalid-argument", Diagnostic(file, ": ", fault), words);
   return machine;
@@ -85,7 +84,6 @@ void
 writeOne(const std::string& file, const Words& words, Write write)
 {
   withFiles(words, [&] {
-    const py::gil_scoped_release release;
     OutputFiles files({file});
     write(files.temporary(0));
     files.commit();
@@ -99,7 +97,7 @@ writeMoves(const Path& path, const std::string& file, const ProgramCall& call, c
   const ProgramTexts texts = setPlan(path, *planner);
   planner->setSettings(call.settings);
   const auto moves = std::make_shared<std::vector<ToolMoves>>();
-  compute(planner, call.keywords, words, moves);
+  compute(planner, Run(call.keywords["progress"]), words, moves);
   const PathSource& source = *path.source;
   writeOne(file, words, [&](const std::string& temporary) {
     if (lowerExtension(file) == ".yaml")
@@ -122,7 +120,7 @@ writeBlocks(const Path& path, const std::string& file, const ProgramCall& call, 
   planner->setMachine(machine);
   planner->setSettings(call.settings);
   const auto program = std::make_shared<MachineProgram>();
-  compute(planner, call.keywords, words, program);
+  compute(planner, Run(call.keywords["progress"]), words, program);
   Diagnostics warnings = spindleWarnings(file, machine, call.header);
   if (machine_file.empty())
     warnings.push_back(noMachineWarning());
@@ -141,7 +139,7 @@ writeProgram(const Path& path, const std::string& file, const py::dict& given)
 {
   ProgramCall call;
   call.keywords.take(given);
-  const Words words{movedBy(path.motion.origin, call.keywords.vocabulary()), path.motion.origin};
+  const Words words{call.keywords.vocabulary(), path.source ? path.source->read : ReadOptions()};
   call.settings.feed = path.motion.feed;
   call.settings.block = call.tolerance("block_tolerance", call.settings.block);
   call.settings.thinning = call.tolerance("thin_blocks", call.settings.thinning);
@@ -154,6 +152,11 @@ writeProgram(const Path& path, const std::string& file, const py::dict& given)
     raise("invalid-argument",
           Diagnostic(file, ": the extension '", extension, "' is not known; use .ngc .nc .mpf .h .apt .cls or .yaml, and save() for paths"),
           words);
+  const AskedNames asked = call.keywords.asked();
+  if (has_moves && asked.count("machine") > 0)
+    raise("invalid-argument", Diagnostic(file, ": machine= belongs to programs; leave it out, or write one such as part.ngc"), words,
+          {"machine"});
+  requireUsed(idleOfProgram(asked, {file}, call.dialect.value_or(Dialect::LinuxCNC)), words);
   if (!path.source)
     raise("invalid-argument",
           "this path has no scan, by which the leads of a program are checked, for it was unpickled or made of stages: make it by "

@@ -29,19 +29,23 @@ struct Run::State {
   std::atomic<bool> stop{false};
   bool done = false;
 
-  bool goesOn(double share, const std::string& stage)
+  /** Calls Python unless the run is to stop. Whether it goes on. */
+  template <typename Python>
+  bool call(Python python)
   {
-    if (stop || is_ending || !function)
-      return !stop && !is_ending;
+    if (stop || is_ending)
+      return false;
     const py::gil_scoped_acquire acquire;
     if (stop || is_ending)
       return false;
     try {
-      const py::object called = function, answer = called(share, stage);
-      const int is_true = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
-      if (is_true < 0)
+      try {
+        python();
+      }
+      catch (const py::builtin_exception& error) {
+        error.set_error();
         throw py::error_already_set();
-      stop = stop || is_true == 0;
+      }
     }
     catch (const py::error_already_set& error) {
       if (!stop)
@@ -49,6 +53,19 @@ struct Run::State {
       stop = true;
     }
     return !stop;
+  }
+
+  bool goesOn(double share, const std::string& stage)
+  {
+    if (!function)
+      return !stop && !is_ending;
+    return call([&] {
+      const py::object called = function, answer = called(share, stage);
+      const int is_true = answer.is_none() ? 1 : PyObject_IsTrue(answer.ptr());
+      if (is_true < 0)
+        throw py::error_already_set();
+      stop = stop || is_true == 0;
+    });
   }
 
   /** Waits a little; true if the run has ended. */
@@ -76,6 +93,12 @@ ProgressCallback
 Run::progress() const
 {
   return [state = state_](double share, const std::string& stage) { return state->goesOn(share, stage); };
+}
+
+Status
+Run::call(const std::function<void()>& python) const
+{
+  return state_->call(python) ? Status::success() : Status(StatusCode::Cancelled, "cancelled");
 }
 
 void

@@ -22,6 +22,9 @@ public:
 
   ProgressCallback progress() const;
 
+  /** Calls Python from the run. What is raised cancels the run, and comes through. */
+  Status call(const std::function<void()>& python) const;
+
   /** Runs \p compute without the lock of the interpreter, then raises what stopped it. It must own what it uses. */
   void operator()(const std::function<void()>& compute) const;
 

@@ -27,7 +27,7 @@ struct VerifyCall : Call {
   std::optional<Dialect> dialect;
   Keywords keywords{"verify",
                     cutterTable(judge.cutter, NumberRange::above(0.0)) + settingTable(judge) + settingTable(limits) + settingTable(mesh) +
-                        without(settingTable(surface), {"neighbours", "alpha"}) + units.table() +
+                        only(settingTable(surface), {"neighbours", "alpha"}, false) + units.table() +
                         std::vector<Setting>{Setting("dialect", "Dialect", "language",
                                                      "of a program .nc; found from its words if it is not given", "siemens", dialect)},
                     partInputs() + std::vector<Input>{{"machine", "File | None", "machine file of a program", {"setMachine"}}} +
@@ -57,18 +57,35 @@ void
 giveFile(const std::string& file, const VerifyCall& call, OpenVerifier& verifier)
 {
   const std::string extension = lowerExtension(file);
-  if (isProgramExtension(extension) || extension == ".apt" || extension == ".cls") {
-    const py::object machine = call.keywords["machine"];
-    if (machine.is_none() && isProgramExtension(extension))
-      raise("invalid-argument", Diagnostic(file, ": a program has the axes of a machine; give its file ({setMachine})"), call.words);
-    verifier.setInputProgram(
-        readProgram(file, machine.is_none() ? std::nullopt : std::optional(readMachine(machine.cast<std::string>())), call.dialect));
-    return;
-  }
-  ToolpathFile read = readToolpath(file, call.scan.shift);
-  verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(read.path)));
-  verifier.setInputTips(read.tips);
-  verifier.setHasContacts(read.has_contacts);
+  const bool is_blocks = isProgramExtension(extension), is_program = is_blocks || extension == ".apt" || extension == ".cls";
+  const py::object machine = call.keywords["machine"];
+  if (machine.is_none() && is_blocks)
+    raise("invalid-argument", Diagnostic(file, ": a program has the axes of a machine; give its file ({setMachine})"), call.words);
+  const std::string machine_file = machine.is_none() ? "" : machine.cast<std::string>();
+  withFiles(call.words, [&] {
+    if (is_program)
+      return verifier.setInputProgram(
+          readProgram(file, machine_file.empty() ? std::nullopt : std::optional(readMachine(machine_file)), call.dialect));
+    ToolpathFile read = readToolpath(file, call.scan.shift);
+    verifier.setInputToolpath(pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(read.path)));
+    verifier.setInputTips(read.tips);
+    verifier.setHasContacts(read.has_contacts);
+  });
+}
+
+/** machine= and dialect= belong to programs, and a language may be known by the extension. */
+void
+requireMeant(const std::string& file, const VerifyCall& call)
+{
+  requireUsed(idleOfJudging(call.keywords.asked(), call.asked(call.keywords)), call.words);
+  const std::string extension = lowerExtension(file);
+  const bool is_program = isProgramExtension(extension) || extension == ".apt" || extension == ".cls";
+  const std::optional<Dialect> own = dialectOfExtension(extension);
+  IdleRules rules(call.keywords.asked());
+  rules.require(is_program, {"machine", "dialect"}, ": belongs to programs; give a .ngc, .nc, .mpf, .h or .apt, or leave it out");
+  rules.require(!own || own == call.dialect, {"dialect"},
+                Diagnostic(": the language of ", file, " is known by its extension; leave it out"));
+  requireUsed(rules.found(), call.words);
 }
 
 py::dict
@@ -91,7 +108,7 @@ resultOf(const VerifyCall& call, OpenVerifier& verifier, std::vector<Verificatio
   VerificationRun run{
       files.scan,   files.unit,  call.judge.cutter, call.judge.scallop_height, call.judge.chord_error, files.warnings, call.limits,
       std::nullopt, files.shift, files.words};
-  return py::dict(py::arg("report_text") = verificationsJSON(run, found), py::arg("broken") = py::tuple(py::cast(broken)),
+  return py::dict(py::arg("_report_text") = verificationsJSON(run, found), py::arg("broken") = py::tuple(py::cast(broken)),
                   py::arg("warnings") = py::tuple(py::cast(warnings)), py::arg("deviation") = py::tuple(deviation),
                   py::arg("stock") = py::tuple(stock));
 }
@@ -114,19 +131,20 @@ py::dict
 verify(const py::object& points, const py::object& judged, const py::dict& given)
 {
   VerifyCall call;
-  call.keywords.take(given);
-  call.read(points, call.keywords, call.surface);
+  const bool is_file = py::isinstance<py::str>(judged);
+  const std::string file = is_file ? judged.cast<std::string>() : "";
+  call.begin(call.keywords, given, points, call.surface);
+  requireMeant(file, call);
   completeCutter(call.keywords, call.words, call.judge.cutter);
   const auto verifier = std::make_shared<OpenVerifier>();
   setJudge(call, *verifier);
-  const bool is_file = py::isinstance<py::str>(judged);
   if (is_file)
-    withFiles(call.words, [&] { giveFile(judged.cast<std::string>(), call, *verifier); });
+    giveFile(file, call, *verifier);
   else
     givePath(judged.cast<const Path&>(), call, *verifier);
   const auto found = std::make_shared<std::vector<Verification>>();
-  compute(verifier, call.keywords, call.words, found);
-  return resultOf(call, *verifier, *found, is_file ? judged.cast<std::string>() : "");
+  compute(verifier, Run(call.keywords["progress"]), call.words, found);
+  return resultOf(call, *verifier, *found, file);
 }
 
 } // namespace

@@ -170,10 +170,9 @@ def test_metres_and_map_coordinates(folder):
         same("program.csv", "python.csv")
         assert np.abs(path.contact - 1000 * place).max() < 40
     two = np.concatenate([points, points + [0.1, 0, 0]])
-    with pytest.raises(pcl_spiral.Error, match="39377[0-9]{4}") as error:
+    with pytest.raises(pcl_spiral.Error, match="at \\(393775.1, 3689071, 100") as error:
         pcl_spiral.spiral(two, unit="m", tool_radius=4, scallop=0.05)
-    assert error.value.places and all(np.abs(p - 1000 * place).max() < 200 for p in error.value.places)
-    right = pcl_spiral.spiral(two, unit="m", tool_radius=4, scallop=0.05, part_at=1000 * place + [100, 0, 0])
+    right = pcl_spiral.spiral(two, unit="m", tool_radius=4, scallop=0.05, part_at=error.value.places[1])
     assert np.abs(right.contact - 1000 * place - [100, 0, 0]).max() < 40
 
 

@@ -3,6 +3,7 @@
 
 import operator
 import os
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -25,8 +26,12 @@ def _array(name, value):
         raise TypeError(f"{name}= is no array of numbers ({error}): give a numpy array of shape (N, 3), or the name of a file") from error
 
 
+def _raise(name, text, id, code="invalid-argument"):
+    raise Error(text, id, code, settings=(name,))
+
+
 def _shape(name, array, remedy):
-    raise Error(f"{name}= has the shape {array.shape}: give {remedy}", f"{name}= has the shape {{name}}: give {remedy}", "invalid-input")
+    _raise(name, f"{name}= has the shape {array.shape}: give {remedy}", f"{name}= has the shape {{name}}: give {remedy}", "invalid-input")
 
 
 def _numbers(name, array):
@@ -42,9 +47,9 @@ def _file(name, value):
     return os.fsdecode(value) if isinstance(value, (str, os.PathLike)) else None
 
 
-def file_of(value):
+def file_of(name, value):
     """The name of a file."""
-    return _file("file", value) or _refuse("file", value, "must be the name of a file, such as part.csv")
+    return _file(name, value) or _refuse(name, value, "must be the name of a file")
 
 
 def _columns(name, value, fields=("x", "y", "z")):
@@ -69,9 +74,13 @@ def _normals(name, value):
     columns = _columns(name, value, ("nx", "ny", "nz"))
     lengths = sum(np.abs(column) for column in columns)
     if len(lengths) > 0 and not np.any(np.isfinite(lengths) & (lengths > 0)):
-        raise Error(f"{name}= holds no direction: all normals are zero or not finite; give normals, or leave {name}= out",
-                    f"{name}= holds no direction", "invalid-argument")
+        text = f"{name}= holds no direction"
+        _raise(name, f"{text}: all normals are zero or not finite; give normals, or leave {name}= out", text)
     return columns
+
+
+def _rows(name, value):
+    return np.ascontiguousarray(np.column_stack(_columns(name, value)), np.float64)
 
 
 def place(name, value):
@@ -81,7 +90,7 @@ def place(name, value):
 
 def line(name, value):
     """Points in order: a file, or (N, 3)."""
-    return _file(name, value) or np.ascontiguousarray(np.column_stack(_columns(name, value)), np.float64)
+    return _file(name, value) or _rows(name, value)
 
 
 def _polygon(name, value):
@@ -96,7 +105,22 @@ def _polygon(name, value):
 
 
 def _polygons(name, values):
-    return [_polygon(name, value) for value in values]
+    """A list of them; one alone is a list, too."""
+    if _file(name, values):
+        return [_polygon(name, values)]
+    try:
+        array = np.asarray(values, np.float64)
+    except (TypeError, ValueError):  # several of several sizes, or files
+        array = np.zeros((0, 0, 0))
+    is_one = array.ndim == 2 and array.shape[1] in (2, 3) and not (name == "regions" and array.shape[1] == 3)
+    if is_one or (name == "regions" and array.shape == (3,)):
+        return [_polygon(name, values)]
+    try:
+        return [_polygon(name, value) for value in values]
+    except TypeError as error:
+        if "not iterable" not in str(error):
+            raise
+        _refuse(name, values, "must be a list of polygons, such as [[(0, 0), (5, 0), (5, 5)]]")
 
 
 def _holder(name, parts):
@@ -134,9 +158,55 @@ def _as_it_is(name, value):
     return value
 
 
+def _own(name, stage, method):
+    """The method of a stage of the user's own."""
+    call = getattr(stage, method, None)
+    return call if callable(call) else _refuse(name, stage, f"must have a method {method}(), as pcl_spiral.{name.rstrip('s').title()} has")
+
+
+def _planner(name, planner):
+    plan = _own(name, planner, "plan")
+
+    def run(surface, boundaries, settings):
+        made = plan(surface, boundaries, SimpleNamespace(**settings))
+        passes = [_rows(name, one) for one in ([made] if isinstance(made, np.ndarray) else made)]
+        begins = np.cumsum([len(one) for one in passes])
+        return np.concatenate(passes or [np.zeros((0, 3))]), begins[:-1].tolist()
+
+    return run
+
+
+def _modifier(name, modifier):
+    modify = _own(name, modifier, "modify")
+
+    def run(surface, settings, arrays):
+        kinds = {key: np.float32 if key in ("axis", "turn", "lift") else np.uint8 if key == "over_gap" else np.float64 for key in arrays}
+        path = SimpleNamespace(**{key: np.array(value, kinds[key]) for key, value in arrays.items() if key != "passes"})
+        path.passes = arrays["passes"]
+        modify(surface, SimpleNamespace(**settings), path)
+        for key in ("contact", "normal", "axis", "foot"):
+            _rows(name, getattr(path, key))
+        given = {key: np.ascontiguousarray(getattr(path, key), kind) for key, kind in kinds.items() if key != "passes"}
+        return given | {"passes": list(map(operator.index, path.passes))}
+
+    return run
+
+
+def passes(name, values):
+    """Passes of (position, axis, normal), each (N, 3); without a normal the cutter comes down along its axis."""
+    rows = []
+    for value in values:
+        position, axis, *normal = (_rows(name, column) for column in value if column is not None)
+        rows.append((position, axis, normal[0] if normal else np.zeros_like(position)))
+        if any(column.shape != position.shape for column in rows[-1]):
+            _shape(name, axis, "axes and normals as many as positions")
+    return rows
+
+
 INPUTS = dict(normals=_normals, scan_normals=_normals, faces=_faces, crop=_polygon, keep_outs=_polygons, regions=_polygons)
 INPUTS |= dict(holder=_holder, curve=line, rail=line, generator=line, through=line, block_tolerance=_pair, thin_blocks=_pair)
-INPUTS |= dict(machine=lambda name, value: file_of(value), work_offset=_text, pass_begin=_text, pass_end=_text, progress=_as_it_is)
+INPUTS |= dict(machine=file_of, work_offset=_text, pass_begin=_text, pass_end=_text, progress=_as_it_is)
+INPUTS |= dict(planner=_planner, modifiers=lambda name, values: [_modifier(name, value) for value in values])
 
 
 def _setting(row, value):
@@ -177,7 +247,7 @@ def scan(points, settings, normals="normals"):
     if points is None or _file("points", points):
         if settings.get(normals) is not None:
             text = f"{normals}= goes with an array of points: a file has its own normals; leave {normals}= out, or read the file yourself"
-            raise Error(text, f"{normals}= goes with an array of points", "invalid-argument")
+            _raise(normals, text, f"{normals}= goes with an array of points")
         return points and _file("points", points)
     columns = _columns("points", points)
     names = np.asarray(points).dtype.names or ()
@@ -190,5 +260,5 @@ def scan(points, settings, normals="normals"):
         for row, corner in wrong:
             remedy = f"but there are {len(columns[0])} points: give rows of points=, from 0"
             text = f"faces= names the point {faces[row, corner]} in row {row}, {remedy}"
-            raise Error(text, "faces= names the point {name}", "invalid-input")
+            _raise("faces", text, "faces= names the point {name}", "invalid-input")
     return columns

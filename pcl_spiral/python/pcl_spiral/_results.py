@@ -6,6 +6,40 @@ import json
 import os
 import tempfile
 from dataclasses import dataclass
+from typing import NamedTuple
+
+
+class Pass(NamedTuple):
+    """A pass for cutter_locations(): arrays (N, 3). Where a normal is zero, the cutter comes down along the axis."""
+
+    position: object  # mm: where the cutter is to touch, or a place of its axis
+    axis: object  # from the tip to the shank
+    normal: object  # out of the material
+
+
+class Feet(NamedTuple):
+    """Places projected onto a surface; not-a-number where there is no surface."""
+
+    position: object  # (N, 3), mm
+    normal: object  # (N, 3), out of the material
+    larger_curvature: object  # (N,), 1/mm, positive where the surface is convex
+    smaller_curvature: object
+
+
+class Planner:
+    """Makes the curve in place of the spiral: derive from it, and give an object as planner=."""
+
+    def plan(self, surface, boundaries, settings):
+        """Points in travel order near the surface, (N, 3), or a list of such arrays: between them the tool is lifted."""
+        raise NotImplementedError
+
+
+class Modifier:
+    """Changes a path before it is checked: derive from it, and give objects as modifiers=."""
+
+    def modify(self, surface, settings, path):
+        """Changes arrays of path: contact, normal, axis, turn, over_gap, foot, lift, and passes, the points where further ones begin."""
+        raise NotImplementedError
 
 
 class Error(ValueError):
@@ -36,7 +70,7 @@ class Program:
 class Verification:
     """What verify() found. Arrays: one a region."""
 
-    report_text: str  # JSON
+    _report_text: str  # JSON
     broken: tuple  # what is wrong: limits, collisions, wrong poses
     warnings: tuple
     deviation: tuple  # mm, one a path point, positive out of the material
@@ -50,17 +84,17 @@ class Verification:
     @property
     def report(self):
         """All figures with their places, as in the JSON of pcl_spiral_verify."""
-        return json.loads(self.report_text)
+        return json.loads(self._report_text)
 
 
 def _save(path, file):
     """Writes the path as .csv .pcd .ply .vtp .6d .5d, or its report as .json."""
-    path.write(os.fspath(file))
+    path._write(os.fsdecode(file))
 
 
 def _report(path):
     """Settings, figures, times and warnings, as in the JSON report of the programs."""
-    return json.loads(path.report_text)
+    return json.loads(path._report_text)
 
 
 def _repr(path):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Types of the package, made from the tables of settings. Usage: python3 -m pcl_spiral._stub FILE"""
 
+import re
 import sys
 
 from ._keywords import table_of
@@ -9,36 +10,59 @@ HEAD = '''\
 # SPDX-License-Identifier: BSD-3-Clause
 # Made by pcl_spiral._stub from the tables of settings.
 from os import PathLike
-from typing import Any, Callable, Literal, Sequence
+from types import SimpleNamespace
+from typing import Any, Callable, Iterable, Literal, NamedTuple, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 File = str | PathLike[str]
-Place = Sequence[float] | NDArray[Any]
+Float = float | np.floating[Any] | np.integer[Any]
+Int = int | np.integer[Any]
+Bool = bool | np.bool_
+Place = Sequence[Float] | NDArray[Any]
+Doubles = NDArray[np.float64]
 Points = ArrayLike | File
 Progress = Callable[[float, str], object]
 
 __version__: str
 '''
-ARRAY, TEXTS = "NDArray[np.{}]", "tuple[str, ...]"
-CLASSES = {
-    "Error(ValueError)": {"id": "str", "code": "str", "places": "tuple[tuple[float, float, float], ...]", "settings": TEXTS},
+TEXTS, ARRAY = "tuple[str, ...]", "Doubles"
+CLASSES = {  # their members that can be read
+    "Surface": {"points, normals": ARRAY, "spacing, noise, area": "float"},
+    "BoundaryLoop": {"points, curve": ARRAY, "length": "float", "type": "Literal['outer', 'inner', 'gap']"},
+    "RadialLines": {"lines": "list[Doubles]"},
+    "StepOverField": {"points, distance": ARRAY, "largest, least_length": "float"},
+    "ScallopLoops": {"loops": "list[Doubles]", "levels": "list[int]"},
+    "LinkedPath": {"points": ARRAY, "chain_loops, bridges": "int"},
+    "Error(ValueError)": {"id, code": "str", "places": "tuple[tuple[float, float, float], ...]", "settings": TEXTS},
     "Program": {"file": "str", "warnings": "list[str]", "blocks": "int", "minutes": "float"},
-    "Verification": {"ok": "bool", "broken": TEXTS, "warnings": TEXTS, "report": "dict[str, Any]", "report_text": "str"}
-    | dict.fromkeys(("deviation", "stock"), "tuple[NDArray[np.float32], ...]"),
-    "Path": dict.fromkeys(("contact", "normal", "tip", "axis", "arc_length"), ARRAY.format("float64"))
-    | {"turn": ARRAY.format("float32"), "lift": ARRAY.format("float32"), "over_gap": ARRAY.format("bool_")}
-    | {"passes": "tuple[slice, ...]", "tool_radius": "float", "feed": "float"}
-    | {"report": "dict[str, Any]", "report_text": "str", "warnings": TEXTS},
+    "Verification": {"ok": "bool", "broken, warnings": TEXTS, "report": "dict[str, Any]"}
+    | {"deviation, stock": "tuple[NDArray[np.float32], ...]"},
+    "Path": {"contact, normal, tip, axis, arc_length": ARRAY, "turn, lift": "NDArray[np.float32]", "over_gap": "NDArray[np.bool_]"}
+    | {"passes": "tuple[slice, ...]", "tool_radius, feed": "float", "report": "dict[str, Any]", "warnings": TEXTS},
 }
-STAGES = {
-    "Surface": dict.fromkeys(("points", "normals"), ARRAY.format("float64")) | dict.fromkeys(("spacing", "noise", "area"), "float"),
-    "BoundaryLoop": dict.fromkeys(("points", "curve"), ARRAY.format("float64"))
-    | {"length": "float", "type": "Literal['outer', 'inner', 'gap']"},
-    "RadialLines": {"lines": "list[NDArray[np.float64]]"},
-}
+OWN = """
+class Pass(NamedTuple):
+    position: ArrayLike
+    axis: ArrayLike
+    normal: ArrayLike | None
+
+class Feet(NamedTuple):
+    position: Doubles
+    normal: Doubles
+    larger_curvature: Doubles
+    smaller_curvature: Doubles
+
+class Planner:
+    def plan(self, surface: Surface, boundaries: list[BoundaryLoop], settings: SimpleNamespace) -> ArrayLike | Sequence[ArrayLike]: ...
+
+class Modifier:
+    def modify(self, surface: Surface, settings: SimpleNamespace, path: SimpleNamespace) -> None: ...
+"""
+SIZED = "    def __len__(self) -> int: ...\n"
 METHODS = "    def __len__(self) -> int: ...\n    def save(self, file: File) -> None: ...\n    def to_vtk(self) -> Any: ...\n"
+LOOPS = "Sequence[BoundaryLoop]"
 FUNCTIONS = {  # what they have before their keywords, and what they give
     "spiral": ("points: Points", "Path"),
     "drive": ("points: Points", "Path"),
@@ -46,24 +70,41 @@ FUNCTIONS = {  # what they have before their keywords, and what they give
     "program": ("path: Path, file: File", "Program"),
     "verify": ("points: Points, path: Path | File", "Verification"),
     "surface": ("points: Points", "Surface"),
+    "boundary_points": ("surface: Surface", "NDArray[np.bool_]"),
     "boundary_loops": ("surface: Surface", "list[BoundaryLoop]"),
-    "bridge_gaps": ("surface: Surface, loops: Sequence[BoundaryLoop]", "tuple[Surface, list[BoundaryLoop]]"),
-    "radial_lines": ("surface: Surface, loops: Sequence[BoundaryLoop]", "RadialLines"),
-    "spiral_over": ("surface: Surface, loops: Sequence[BoundaryLoop] = (), radial: RadialLines | None = None", "Path"),
+    "bridge_gaps": (f"surface: Surface, loops: {LOOPS}", "tuple[Surface, list[BoundaryLoop]]"),
+    "radial_lines": (f"surface: Surface, loops: {LOOPS}", "RadialLines"),
+    "step_over_field": (f"surface: Surface, loops: {LOOPS} = ()", "StepOverField"),
+    "scallop_loops": ("field: StepOverField", "ScallopLoops"),
+    "link_loops": ("loops: ScallopLoops", "LinkedPath"),
+    "spiral_over": (
+        f"surface: Surface, loops: {LOOPS} = (), made: RadialLines | StepOverField | ScallopLoops | LinkedPath | None = None",
+        "Path",
+    ),
+    "sections": ("points: Points", "list[Pass]"),
+    "cutter_locations": ("points: Points, passes: Iterable[Sequence[ArrayLike | None]]", "Path"),
+    "ridge_lines": ("points: Points", "tuple[Doubles, Doubles]"),
+    "project": ("surface: Surface, places: Points", "Feet"),
 }
-GEODESIC = "\ndef geodesic_path(surface: Surface, source: Place, targets: Points) -> list[NDArray[np.float64]]: ...\n"
+GEODESIC = "\ndef geodesic_path(surface: Surface, source: Place, targets: Points) -> list[Doubles]: ...\n"
 
 
 def _class(name, members):
     """A class whose members can be read."""
-    sized = "    def __len__(self) -> int: ...\n" if name in ("Surface", "RadialLines") else ""
-    return f"\nclass {name}:\n" + "".join(f"    @property\n    def {m}(self) -> {t}: ...\n" for m, t in members.items()) + sized
+    readable = [(m, kind) for ms, kind in members.items() for m in ms.split(", ")]
+    sized = SIZED if name in ("Surface", "RadialLines", "ScallopLoops") else ""
+    return f"\nclass {name}:\n" + "".join(f"    @property\n    def {m}(self) -> {kind}: ...\n" for m, kind in readable) + sized
+
+
+def _type(row):
+    """The type of a keyword: numbers and switches are of Python or of numpy."""
+    return re.sub(r"\b(float|int|bool)\b", lambda kind: kind[0].title(), row["type"]) if "text" in row else row["type"]
 
 
 def _function(name, first, result, indent=""):
     """A call with all its keywords; a required one has no default."""
     keywords = "".join(
-        f"{indent}    {row['name']}: {row['type']}" + ("" if row["default"] is ... else f" = {row['default']!r}") + ",\n"
+        f"{indent}    {row['name']}: {_type(row)}" + ("" if row["default"] is ... else f" = {row['default']!r}") + ",\n"
         for row in table_of(name)
     )
     return f"{indent}def {name}(\n{indent}    {first},\n{indent}    *,\n{keywords}{indent}) -> {result}: ...\n"
@@ -71,9 +112,9 @@ def _function(name, first, result, indent=""):
 
 def stub():
     """The text of __init__.pyi."""
-    text = HEAD + "".join(_class(*one) for one in (STAGES | CLASSES).items())
+    text = HEAD + "".join(_class(*one) for one in CLASSES.items())
     text += METHODS + _function("program", "self, file: File", "Program", "    ")
-    return text + "".join("\n" + _function(name, *rest) for name, rest in FUNCTIONS.items()) + GEODESIC
+    return text + "".join("\n" + _function(name, *rest) for name, rest in FUNCTIONS.items()) + GEODESIC + OWN
 
 
 if __name__ == "__main__":
