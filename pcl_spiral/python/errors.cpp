@@ -22,8 +22,12 @@ raise(const std::string& code, const Diagnostic& diagnostic, const Words& words,
     places.append(py::make_tuple(p.x(), p.y(), p.z()));
   }
   for (const std::string& setter : diagnostic.settings()) // names of C++ for which there is no keyword are left out
-    if (const auto found = words.vocabulary.words.find(setter); found != words.vocabulary.words.end())
-      settings.append(found->second.substr(0, found->second.find('=')));
+    if (const auto found = words.vocabulary.words.find(setter); found != words.vocabulary.words.end()) {
+      const std::string& word = found->second; // "scallop=", "clusters='ride'", "without center=", or "points"
+      const std::string name = word.substr(0, word.find('='));
+      if (name.size() < word.size() || name == "points")
+        settings.append(name.substr(name.rfind(' ') + 1));
+    }
   const py::object type = py::module_::import("pcl_spiral._results").attr("Error");
   const py::object error = type(words.text(diagnostic), diagnostic.id(), code, py::tuple(places), py::tuple(settings));
   PyErr_SetObject(type.ptr(), error.ptr());

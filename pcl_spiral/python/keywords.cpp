@@ -77,6 +77,35 @@ isPlace(const Setting& setting)
 constexpr const char* kinds[] = {"bool", "int", "int", "float", "Place", "float | None", "Place | None", "Literal"};
 static_assert(std::size(kinds) == std::variant_size_v<Setting::Target>);
 
+/** What the library calls a setting that has another name in its table too, and what is shown of it; empty: the keyword. */
+struct OtherName {
+  const char* name;
+  const char* keyword;
+  const char* shown = "";
+};
+constexpr OtherName other_names[] = {{"setInputMesh", "faces"},
+                                     {"readCloud", "faces", "leave faces= out"},
+                                     {"Scale it to mm", "unit", "Give its unit=, or scale it to mm"},
+                                     {"ReadOptions::find_origin", "origin", "without origin="},
+                                     {"MeshSettings::crease_angle", "crease_angle"},
+                                     {"clearCenter", "center", "without center="},
+                                     {"DriveCylinder::axis", "column_axis"},
+                                     {"setPlaneNormal", "direction"},
+                                     {"setCeiling", "ceiling"},
+                                     {"setMaxRetilt", "max_retilt"},
+                                     {"setRetiltStep", "retilt_step"},
+                                     {"PassSettings::cutter", "tool_radius"},
+                                     {"RidgeRowSettings::stand_off", "stand_off"},
+                                     {"RidgeRowSettings::step_over", "step_over"},
+                                     {"RidgeRowSettings::overlap", "overlap"},
+                                     {"RidgeRowSettings::tool_radius", "scallop"},
+                                     {"RidgeRowSettings::tilt", "tilt"},
+                                     {"RidgeSettings::measuring_error", "measuring_error"},
+                                     {"setSpacing", "sample_spacing"},
+                                     {"setClusterHandling(ClusterHandling::LeaveOut)", "clusters", "clusters='leave-out'"},
+                                     {"setClusterHandling(ClusterHandling::Ride)", "clusters", "clusters='ride'"},
+                                     {"setTightHandling(TightHandling::Refuse)", "tight", "tight='refuse'"}};
+
 } // namespace
 
 Eigen::Vector3d
@@ -174,11 +203,16 @@ Keywords::vocabulary() const
       vocabulary.words[setter] = input.name + "=";
   for (const Setting& setting : settings_)
     vocabulary.words.emplace(setting.setter, setting.name + "=");
+  const std::vector<std::string> known = names();
+  for (const OtherName& other : other_names)
+    if (std::find(known.begin(), known.end(), other.keyword) != known.end())
+      vocabulary.words.emplace(other.name, *other.shown != 0 ? other.shown : std::string(other.keyword) + "=");
+  vocabulary.words.insert({{"setInputCloud", "points"}, {"ScannedSurface", "scan"}});
   return vocabulary;
 }
 
-py::list
-Keywords::table() const
+void
+Keywords::addTo(py::dict& tables) const
 {
   py::list table;
   std::set<std::string> seen;
@@ -194,7 +228,7 @@ Keywords::table() const
                           py::arg("least") = s.range.least, py::arg("takes_least") = s.range.takes_least, py::arg("most") = s.range.most,
                           py::arg("takes_most") = s.range.takes_most));
   }
-  return table;
+  tables[function_.c_str()] = py::make_tuple(table, vocabulary().words);
 }
 
 } // namespace pcl_spiral::python

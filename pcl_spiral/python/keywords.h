@@ -51,8 +51,8 @@ public:
   /** Names of C++ as keywords. */
   Vocabulary vocabulary() const;
 
-  /** One dict for each keyword, with all that is shown of it. */
-  py::list table() const;
+  /** Adds for this call one dict for each keyword, with all that is shown of it, and the words that it has for names of C++. */
+  void addTo(py::dict& tables) const;
 
 private:
   std::vector<std::string> names() const;

@@ -62,11 +62,6 @@ Call::begin(Keywords& keywords, const py::dict& given, const py::object& points,
 {
   keywords.take(given);
   Vocabulary vocabulary = keywords.vocabulary();
-  vocabulary.words.insert({{"setInputCloud", "points"},
-                           {"setInputMesh", "faces="},
-                           {"ScannedSurface", "scan"},
-                           {"DriveCylinder::axis", "column_axis="},
-                           {"Scale it to mm", "Give its unit=, or scale it to mm"}});
   words = {vocabulary, units.options()};
   if (!points.is_none())
     scan = scanOf(points, keywords, units, words, normals);

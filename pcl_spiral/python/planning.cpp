@@ -327,10 +327,10 @@ addPlanning(py::module_& module, py::dict& tables)
   module.def("sections", &sections);
   module.def("cutter_locations", &cutterLocations);
   module.def("ridge", &ridge);
-  tables["spiral"] = SpiralCall().keywords.table();
+  SpiralCall().keywords.addTo(tables);
   for (const char* name : {"drive", "sections", "cutter_locations"})
-    tables[name] = DriveCall(name).keywords.table();
-  tables["ridge"] = RidgeCall().keywords.table();
+    DriveCall(name).keywords.addTo(tables);
+  RidgeCall().keywords.addTo(tables);
 }
 
 } // namespace pcl_spiral::python

@@ -170,7 +170,7 @@ writeProgram(const Path& path, const std::string& file, const py::dict& given)
 void
 addPrograms(py::dict& tables)
 {
-  tables["program"] = ProgramCall().keywords.table();
+  ProgramCall().keywords.addTo(tables);
 }
 
 } // namespace pcl_spiral::python

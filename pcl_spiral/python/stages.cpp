@@ -255,7 +255,7 @@ geodesicPath(const ShiftedSurface& surface, const py::handle& source, const py::
 {
   ReadOptions read;
   read.origin = surface.shift;
-  const Words words({{}, false, nullptr}, read);
+  const Words words({{{"setSourcePoint", "source="}, {"setTargetPoints", "targets="}}, false, nullptr}, read);
   const auto stage = std::make_shared<GeodesicPath<Point>>();
   stage->setInputSurface(surface.value);
   stage->setSourcePoint(placeFrom(source, read));
@@ -449,10 +449,10 @@ addStages(py::module_& module, py::dict& tables)
   module.def("project", &project);
   module.def("boundary_points", &boundaryPoints);
   module.def("ridge_lines", &ridgeLines);
-  tables["surface"] = SurfaceCall().keywords.table();
-  tables["ridge_lines"] = RidgeLinesCall().keywords.table();
+  SurfaceCall().keywords.addTo(tables);
+  RidgeLinesCall().keywords.addTo(tables);
   for (const auto& [name, settings] : stage_settings)
-    tables[name.c_str()] = StageCall(name).keywords.table();
+    StageCall(name).keywords.addTo(tables);
 }
 
 } // namespace pcl_spiral::python

@@ -153,7 +153,7 @@ void
 addVerification(py::module_& module, py::dict& tables)
 {
   module.def("verify", &verify);
-  tables["verify"] = VerifyCall().keywords.table();
+  VerifyCall().keywords.addTo(tables);
 }
 
 } // namespace pcl_spiral::python

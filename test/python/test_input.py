@@ -87,7 +87,7 @@ def test_normals_and_view_points_give_the_side():
 def test_points_that_are_not_finite_are_left_out():
     bad = np.insert(POINTS, [5, 500], [np.nan, np.inf, 0], axis=0)
     path = pcl_spiral.spiral(bad, **SETTINGS)
-    assert path.report["surface"]["nonfinite_points"] == 2 if "nonfinite_points" in path.report["surface"] else len(path) > 0
+    assert path.report["surface"]["nonfinite_points"] == 2
     with pytest.raises(pcl_spiral.Error):
         pcl_spiral.spiral(np.full((100, 3), np.nan), **SETTINGS)
 
@@ -142,6 +142,56 @@ def test_faces():
         pcl_spiral.spiral(vertices, faces=faces, normals=vertices, **SETTINGS)
 
 
+def test_too_large_is_not_called_infinite():
+    for factor in (1e300, 1e60, 1e14):
+        with pytest.raises(pcl_spiral.Error, match="all coordinates are too large.*unit=") as error:
+            pcl_spiral.spiral(POINTS * factor, **SETTINGS)
+        assert error.value.code == "invalid-input"
+    with pytest.raises(pcl_spiral.Error, match="finite"):
+        pcl_spiral.spiral(POINTS * np.nan, **SETTINGS)
+
+
+def test_one_polygon_is_a_list_of_one(folder):
+    square = [[-3.0, -3], [3, -3], [3, 3], [-3, 3]]
+    (folder / "square.txt").write_text("-3 -3\n3 -3\n3 3\n-3 3\n")
+    expected = pcl_spiral.spiral(POINTS, keep_outs=[square], **SETTINGS).contact.tobytes()
+    for one in (square, np.array(square), "square.txt", ["square.txt"], (square,)):
+        assert pcl_spiral.spiral(POINTS, keep_outs=one, **SETTINGS).contact.tobytes() == expected
+    whole = pcl_spiral.spiral(POINTS, regions=[(0, 0, 5)], **SETTINGS).contact.tobytes()
+    assert pcl_spiral.spiral(POINTS, regions=(0, 0, 5), **SETTINGS).contact.tobytes() == whole
+    for wrong in (5, (1, 2), lambda: 0):
+        with pytest.raises((TypeError, pcl_spiral.Error), match="keep_outs="):
+            pcl_spiral.spiral(POINTS, keep_outs=wrong, **SETTINGS)
+
+
+@pytest.mark.parametrize("unit, factor", [("mm", 1.0), ("m", 1000.0), ("inch", 25.4)])
+@pytest.mark.parametrize("origin", [None, (300.0, 200.0, 10.0)])
+def test_places_and_polygons_are_in_the_coordinates_of_the_points(unit, factor, origin):
+    """The same job in another unit and about another origin: the same path, to the rounding of the numbers."""
+    off = np.zeros(3) if origin is None else np.array(origin)
+    two = np.concatenate([POINTS, POINTS + [200, 0, 0]])
+    box = np.array([[150.0, -40], [250, -40], [250, 40], [150, 40]])
+
+    def made(points, place, polygon, keep, start, view, **settings):
+        common = {"part_at": place, "start": start, "view_point": view, "crop": polygon, "keep_outs": [keep], **settings}
+        return pcl_spiral.spiral(points, **SETTINGS, **common)
+
+    keep = np.array([[190.0, -3], [196, -3], [196, 3], [190, 3]])
+    values = [two, (200, 0, 5), box, keep, (200, 24, 0), (200, 0, 900)]
+    expected = made(*values, origin=(0, 0, 0))
+    moved = [np.array(value) / factor + off[: np.shape(value)[-1]] for value in values]
+    path = made(*moved, unit=unit, origin=tuple(off))
+    assert len(path) == len(expected) and np.abs(path.contact - expected.contact).max() < 2e-3
+    with pytest.raises(pcl_spiral.Error) as error:
+        pcl_spiral.spiral(moved[0], unit=unit, origin=tuple(off), **SETTINGS)
+    place = max(error.value.places)  # of the second part, as the message has it: it can be given back
+    again = pcl_spiral.spiral(moved[0], unit=unit, origin=tuple(off), part_at=place, **SETTINGS)
+    assert np.abs(again.contact.mean(axis=0) - [200, 0, 1]).max() < 5
+    by_place = pcl_spiral.spiral(moved[0], unit=unit, origin=tuple(off), regions=[moved[1]], **SETTINGS)
+    by_polygon = pcl_spiral.spiral(moved[0], unit=unit, origin=tuple(off), regions=[moved[2]], **SETTINGS)
+    assert by_place.contact.tobytes() == by_polygon.contact.tobytes() == again.contact.tobytes()
+
+
 def test_polygons_and_holders():
     for wrong in ([[0, 0], [1, 1]], [[0, 0], [1, 1], [1, 0], [0, 1]], np.zeros((4, 4)), [[0, 0], [np.nan, 0], [1, 1]]):
         with pytest.raises(pcl_spiral.Error, match="keep_outs="):
@@ -190,6 +240,12 @@ def test_odd_containers_are_refused(folder):
             return b"cap.xyz"
 
     assert len(pcl_spiral.spiral(Name(), **SETTINGS)) > 0
+    for name in ("cap\0.xyz", "cap\udc80.xyz", b"cap.xyz"):
+        with pytest.raises((TypeError, pcl_spiral.Error), match="points="):
+            pcl_spiral.spiral(name, **SETTINGS)
+    for name in ("a\0b.csv", "x\udc80.csv", 5, ""):
+        with pytest.raises((TypeError, pcl_spiral.Error), match="file="):
+            EXPECTED.save(name)
     for wrong in (True, 10**400):
         with pytest.raises(TypeError, match="tool_radius="):
             pcl_spiral.spiral(POINTS, tool_radius=wrong, scallop=0.5)

@@ -21,7 +21,7 @@ FUNCTIONS = {
     "verify": lambda **k: pcl_spiral.verify(CAP, PATH, **({"tool_radius": 6} | k)),
     "program": lambda **k: pcl_spiral.program(PATH, "part.ngc", **k),
 }
-CAP = cap(800)
+CAP = cap(400)
 PATH = pcl_spiral.spiral(CAP, tool_radius=6, scallop=0.5)
 X = np.linspace(0, 200, 60)
 RAIL = np.column_stack([X, 0 * X, 0.0005 * X * (200 - X)])
@@ -67,15 +67,63 @@ def test_values_of_another_type_are_refused_with_the_name(pair, folder):
             FUNCTIONS[name](**{row["name"]: value})
 
 
-@pytest.mark.parametrize("pair", ROWS, ids=named)
-def test_the_default_changes_nothing_and_help_has_all(pair, folder):
+def result(name, **settings):
+    """What a call makes, as bytes; an error as its text."""
+    try:
+        made = FUNCTIONS[name](**settings)
+    except pcl_spiral.Error as error:
+        return str(error)
+    if name == "verify":
+        return b"".join(deviation.tobytes() for deviation in made.deviation) + repr(made.broken).encode()
+    if name == "program":
+        with open(made.file, "rb") as file:
+            return file.read()
+    return made.contact.tobytes() + made.axis.tobytes() + made.tip.tobytes()
+
+
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory):
+    """What each call makes with the settings that it needs alone."""
+    folder = tmp_path_factory.mktemp("plain")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        return {name: result(name) for name in FUNCTIONS}
+
+
+@pytest.mark.parametrize("pair", [pair for pair in ROWS if pair[1]["default"] is not ...], ids=named)
+def test_the_default_changes_nothing_and_help_has_all(pair, folder, plain):
     name, row = pair
     call = getattr(pcl_spiral, name)
+    assert isinstance(plain[name], bytes) and len(plain[name]) > 100
     assert row["name"] in inspect.signature(call).parameters
     assert f"    {row['name']}: {row['type']}" in call.__doc__ and row["help"] in call.__doc__
-    if row["default"] is not ...:
-        taken = _keywords.table_of(name)  # tables are made anew
-        assert row == next(r for r in taken if r["name"] == row["name"])
+    given = result(name, **{row["name"]: row["default"]})
+    idle = isinstance(given, str) and re.match(rf"{row['name']}=?:? ?.*(leave|belongs)", given)  # asked for, it would do nothing
+    needed = (name, row["name"]) in {("drive", "step_over"), ("drive", "tool_radius"), ("ridge", "spot"), ("ridge", "reference")}
+    assert given == plain[name] or idle or needed, given
+
+
+REPORTED = [pair for pair in ROWS if pair[0] in ("spiral", "drive") and pair[1]["name"] not in ("unit", "origin", "flip_normals")]
+
+
+@pytest.mark.parametrize("pair", REPORTED, ids=named)
+def test_a_value_reaches_the_library(pair):
+    """The report has it, or the call refuses what it means beside others."""
+    name, row = pair
+    kind = row["type"]
+    if kind.startswith(("bool", "Literal")):
+        value = not row["default"] if kind == "bool" else re.findall(r"'([^']*)'", kind)[-1]
+    elif kind.startswith("Place"):
+        value = [float(x) for x in row["example"].split(",")]
+    else:
+        value = (int if kind == "int" else float)(row["example"] or 1)
+    try:
+        report = FUNCTIONS[name](**{row["name"]: value}).report
+    except pcl_spiral.Error as error:
+        assert error.settings or error.places, error
+        return
+    if row["name"] in report["settings"] and row["name"] not in ("view_point", "part_at", "center", "start"):
+        assert report["settings"][row["name"]] == value
 
 
 @pytest.mark.parametrize("pair", [pair for pair in ROWS if pair[1]["name"] not in ("unit", "step_over")], ids=named)
@@ -125,6 +173,11 @@ def test_errors_speak_of_keywords():
     assert error.value.settings == ("scallop",) and "{setScallopHeight}" in error.value.id
     with pytest.raises(pcl_spiral.Error, match="tool_radius="):
         pcl_spiral.spiral(CAP, scallop=0.1)
+    with pytest.raises(pcl_spiral.Error, match="must be one of") as error:
+        pcl_spiral.spiral(CAP, tool_radius=6, scallop=0.5, sense="left")
+    assert error.value.settings == ("sense",)
+    with pytest.raises(TypeError, match="machine="):
+        PATH.program("part.ngc", machine=5)
     two = np.concatenate([CAP, CAP + [200, 0, 0]])
     with pytest.raises(pcl_spiral.Error, match="part_at=") as error:
         pcl_spiral.spiral(two, tool_radius=6, scallop=0.5)
@@ -156,3 +209,50 @@ def test_whatever_an_input_is_given_it_is_taken_or_refused(name, keyword, folder
             FUNCTIONS[name](**{keyword: value})
         except (TypeError, pcl_spiral.Error) as error:
             assert len(str(error)) > 20 and "pybind11" not in str(error), error
+
+
+IDLE = [
+    ("spiral", {"sample_spacing": 0.5}, "sample_spacing=.*faces="),
+    ("spiral", {"flank_length": 5}, "flank_length=.*holder="),
+    ("spiral", {"holder_clearance": 1}, "holder_clearance=.*holder="),
+    ("spiral", {"axis": (0, 0, 1), "tilt": 5}, "tilt=.*axis="),
+    ("spiral", {"ball_closing": True, "lead": 5}, "lead=.*ball_closing="),
+    ("drive", {"column_centre": (0, 0, 0)}, "column_centre=.*column_axis="),
+    ("drive", {"column_axis": (0, 0, 1)}, "column_axis=.*drive=.*axis_mode="),
+    ("drive", {"curve": np.zeros((9, 3))}, "curve=.*drive="),
+    ("drive", {"curve_closed": True}, "curve_closed=.*drive="),
+    ("drive", {"overrun": 1}, "overrun=.*drive="),
+    ("drive", {"gouge_check": False}, "gouge_check=.*faces="),
+    ("drive", {"crease_angle": 20}, "crease_angle=.*faces="),
+    ("drive", {"drive": "offset", "direction": 30}, "direction=.*drive="),
+    ("drive", {"retilt_step": 2}, "retilt_step=.*max_retilt="),
+    ("ridge", {"corner_radius": 1}, "corner_radius=.*tool_radius="),
+    ("ridge", {"holder": [(6, 40)]}, "holder=.*tool_radius="),
+    ("verify", {"machine": "xyzac.yaml"}, "machine=.*programs"),
+    ("verify", {"dialect": "siemens"}, "dialect=.*programs"),
+    ("verify", {"sample_spacing": 1}, "sample_spacing=.*faces="),
+    ("program", {"dialect": "siemens"}, "dialect=.*language siemens"),
+    ("program", {"robot_z": "normal"}, "robot_z=.*yaml"),
+]
+
+
+@pytest.mark.parametrize("name, settings, said", IDLE, ids=[f"{one[0]}-{list(one[1])[-1]}" for one in IDLE])
+def test_what_would_do_nothing_is_refused_with_the_other_keyword(name, settings, said, folder):
+    with pytest.raises(pcl_spiral.Error, match=said) as error:
+        FUNCTIONS[name](**settings)
+    assert list(settings)[-1] in error.value.settings and list(folder.iterdir()) == []
+
+
+@pytest.mark.parametrize("file", ["part.apt", "part.yaml"])
+@pytest.mark.parametrize("settings", [{"work_offset": "G55"}, {"machine": "xyzac.yaml"}, {"dialect": "fanuc"}, {"smoothing": 0.1}])
+def test_what_a_file_does_not_hold_is_refused(file, settings, folder):
+    with pytest.raises(pcl_spiral.Error, match=list(settings)[0] + "=") as error:
+        PATH.program(file, **settings)
+    assert error.value.settings[0] == list(settings)[0] and list(folder.iterdir()) == []
+
+
+def test_names_that_are_not_meant_for_users_are_private():
+    allowed = set(pcl_spiral.__all__)
+    assert {name for name in vars(pcl_spiral) if not name.startswith("_")} == allowed
+    types = {"BoundaryLoop", "Error", "Feet", "LinkedPath", "Modifier", "Pass", "Path", "Planner", "Program", "RadialLines", "ScallopLoops"}
+    assert types | {"StepOverField", "Surface", "Verification"} == {name for name in allowed if name[0].isupper()}

@@ -123,7 +123,7 @@ def geodesic_path(surface, source, targets):
     return _core.geodesic_path(surface, _inputs.place("source", source), _inputs.line("targets", targets))
 
 
-Path = _complete_path(_core.Path, program)
+Path = _complete_path(_core.Path, program, _inputs.file_of)
 BoundaryLoop, LinkedPath, RadialLines, ScallopLoops = _core.BoundaryLoop, _core.LinkedPath, _core.RadialLines, _core.ScallopLoops
 StepOverField, Surface = _core.StepOverField, _core.Surface
 __all__ = sorted(name for name in globals() if not name.startswith("_"))

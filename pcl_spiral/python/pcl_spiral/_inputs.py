@@ -44,7 +44,13 @@ def _numbers(name, array):
 
 
 def _file(name, value):
-    return os.fsdecode(value) if isinstance(value, (str, os.PathLike)) else None
+    if not isinstance(value, (str, os.PathLike)):
+        return None
+    try:
+        file = os.fsdecode(value)
+        return file if "\0" not in file and file.encode() else _refuse(name, value, "must be the name of a file")
+    except UnicodeEncodeError:
+        _refuse(name, value, "must be the name of a file in UTF-8")
 
 
 def file_of(name, value):
@@ -239,7 +245,8 @@ def given(table, settings):
             return value
         return _setting(row, value) if "text" in row else INPUTS[name](name, value)
 
-    return {name: one(name, value) for name, value in settings.items()}
+    taken = {name: one(name, value) for name, value in settings.items()}
+    return {name: value for name, value in taken.items() if value is not None or name not in rows}
 
 
 def scan(points, settings, normals="normals"):

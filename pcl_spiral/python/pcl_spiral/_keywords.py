@@ -25,11 +25,17 @@ def _default(row):
     return number if inside or at_end else ...
 
 
+FOLLOW = {"drive": {"corner_radius", "rows", "point_spacing", "tolerance", "chord_error"}, "verify": {"corner_radius"}}
+FOLLOW |= dict.fromkeys(("ridge", "sections", "cutter_locations"), FOLLOW["drive"])
+
+
 def table_of(function):
     """One dict for each keyword, with its type and its default."""
-    table = [dict(row) for row in _core.tables[function]]
+    table = [dict(row) for row in _core.tables[function][0]]
     for row in table:
         row["default"] = _default(row)
+        if row["name"] in FOLLOW.get(function, ()):  # found from other settings if it is not given
+            row |= {"default": None, "zero": "found from others"} | ({} if row["type"] == "Literal" else {"type": row["type"] + " | None"})
         if row["type"] == "Literal":
             row["type"] += str(row["words"].split("|")) + (" | None" if row["default"] is None else "")
     return table

@@ -87,11 +87,6 @@ class Verification:
         return json.loads(self._report_text)
 
 
-def _save(path, file):
-    """Writes the path as .csv .pcd .ply .vtp .6d .5d, or its report as .json."""
-    path._write(os.fsdecode(file))
-
-
 def _report(path):
     """Settings, figures, times and warnings, as in the JSON report of the programs."""
     return json.loads(path._report_text)
@@ -120,13 +115,18 @@ def _to_vtk(path):
         return reader.GetOutput()
 
 
-def complete_path(path, program):
+def complete_path(path, program, file_of):
     """The class of the module with what is written in Python."""
     path.__module__ = "pcl_spiral"
     path.__doc__ = "A path. Arrays have one row a point and are read only; lengths in mm, in the coordinates of the points."
+
+    def save(path, file):
+        """Writes the path as .csv .pcd .ply .vtp .6d .5d, or its report as .json."""
+        path._write(file_of("file", file))
+
     path.report = property(_report)
     path.program = program
-    path.save = _save
+    path.save = save
     path.__repr__ = _repr
     path._repr_html_ = _repr_html
     path.to_vtk = _to_vtk

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Everything the library says is an exception in the words of keywords: tests made from the sentences in its sources."""
+
+import pathlib
+import re
+
+import pytest
+from conftest import source
+
+import pcl_spiral
+from pcl_spiral import _core
+
+LITERALS = re.compile(r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*')
+COMMENTS = re.compile(r"//[^\n]*|/\*.*?\*/", re.S)
+FIELD = re.compile(r"(?<!\{)\{([^{}]+)\}(?!\})")
+SETTER = re.compile(r"(set|add|clear)[A-Z]\w*(\(\w+::\w+\))?|[A-Z]\w*::\w+")
+ROOMS = ("cleaning", "cutter", "drive", "features", "geodesic", "mesh", "planning", "ridge", "spiral", "surface", "verify", "machine")
+
+
+def sentences():
+    """The literals with fields, of the rooms that scripts reach."""
+    found = set()
+    for room in ROOMS:
+        for folder in (source("pcl_spiral", "src", room), source("pcl_spiral", "include", "pcl_spiral", room)):
+            for file in sorted(pathlib.Path(folder).rglob("*.[ch]*")):
+                for literal in LITERALS.findall(COMMENTS.sub("", file.read_text())):
+                    words = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', literal))
+                    if FIELD.search(words) and "\\" not in words:
+                        found.add(words)
+    return sorted(found)
+
+
+WORDS = {name: word for _, words in _core.tables.values() for name, word in words.items()}
+KEYWORDS = {row["name"] for table, _ in _core.tables.values() for row in table} | {"points", "scan"}
+IN_CODE = {  # what scripts do not have: other inputs of classes, and settings that a planner sets itself
+    "LocationEvaluation::FittedSurface", "LocationEvaluation::Points", "SpiralMethod::Radial", "clearRadialLines", "setBoundaryPoints",
+    "setCreaseBand", "setDrivePasses", "setDrivePath", "setDrivePoints", "setEvaluation", "setFaces", "setFitTolerance", "setIndices",
+    "setInputGenerator", "setInputPasses", "setInputPath", "setInputPlan", "setInputPoses", "setInputProgram", "setInputSurface",
+    "setInputTips", "setInputToolpath", "setLevels", "setLocationSurface", "setMargin", "setMaximumIterations", "setPolynomialOrder",
+    "setRawScan", "setRounding", "setSampleMesh", "setSearchMethod", "setSearchRadius", "setSearchSurface", "setSettings", "setShank",
+    "setSourcePoint", "setSurroundings", "setTargetIndices", "setTargetPoints", "setTolerance",
+}
+SENTENCES = sentences()
+
+
+def test_there_are_sentences():
+    assert len(SENTENCES) > 150 and sum("{set" in words for words in SENTENCES) > 60
+
+
+@pytest.mark.parametrize("words", SENTENCES)
+def test_every_sentence_is_an_exception_in_the_words_of_keywords(words):
+    with pytest.raises(pcl_spiral.Error) as error:
+        _core._say(WORDS, words)
+    text, raised = str(error.value), error.value
+    assert raised.code == "failed" and raised.places == () and raised.id == words
+    named = [field for field in FIELD.findall(words) if field in WORDS]
+    keywords = [re.search(r"(\w+)=|^(points)$", WORDS[field]) for field in named if re.search("[a-z][A-Z]|::", field)]
+    assert raised.settings == tuple(keyword[1] or keyword[2] for keyword in keywords if keyword)
+    assert "{set" not in text and "{mm}" not in text and "--" not in text
+    for field in FIELD.findall(words):
+        assert not SETTER.fullmatch(field) or field in WORDS or field in IN_CODE, f"no keyword for {field}"
+    remarks = re.findall(r"(?<!\w)\(([^()]*)\)", words)
+    dropped = {field for remark in remarks for field in FIELD.findall(remark) if not set(FIELD.findall(remark)) <= set(WORDS)}
+    for field in set(named) - dropped:
+        assert WORDS[field] in text and not re.search(rf"\b{re.escape(field)}\b", text), text
+
+
+def test_every_word_is_a_keyword():
+    for name, word in WORDS.items():
+        assert re.split("[= ]", word.removeprefix("without ").removeprefix("leave "))[0] in KEYWORDS or name == "Scale it to mm", word
