@@ -25,8 +25,9 @@ raise(const std::string& code, const Diagnostic& diagnostic, const Words& words,
     if (const auto found = words.vocabulary.words.find(setter); found != words.vocabulary.words.end()) {
       const std::string& word = found->second; // "scallop=", "clusters='ride'", "without center=", or "points"
       const std::string name = word.substr(0, word.find('='));
-      if (name.size() < word.size() || name == "points")
-        settings.append(name.substr(name.rfind(' ') + 1));
+      const py::str keyword(name.substr(name.rfind(' ') + 1));
+      if ((name.size() < word.size() || name == "points") && !settings.contains(keyword))
+        settings.append(keyword);
     }
   const py::object type = py::module_::import("pcl_spiral._results").attr("Error");
   const py::object error = type(words.text(diagnostic), diagnostic.id(), code, py::tuple(places), py::tuple(settings));

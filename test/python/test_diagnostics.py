@@ -55,7 +55,7 @@ def test_every_sentence_is_an_exception_in_the_words_of_keywords(words):
     assert raised.code == "failed" and raised.places == () and raised.id == words
     named = [field for field in FIELD.findall(words) if field in WORDS]
     keywords = [re.search(r"(\w+)=|^(points)$", WORDS[field]) for field in named if re.search("[a-z][A-Z]|::", field)]
-    assert raised.settings == tuple(keyword[1] or keyword[2] for keyword in keywords if keyword)
+    assert raised.settings == tuple(dict.fromkeys(keyword[1] or keyword[2] for keyword in keywords if keyword))
     assert "{set" not in text and "{mm}" not in text and "--" not in text
     for field in FIELD.findall(words):
         assert not SETTER.fullmatch(field) or field in WORDS or field in IN_CODE, f"no keyword for {field}"

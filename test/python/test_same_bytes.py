@@ -204,3 +204,21 @@ def test_verification_has_the_same_figures(scan):
     assert not found.ok and "0.0001" in found.broken[0]
 
 
+def test_by_stages_as_the_programs(folder):
+    write_points("dome.xyz", cap(6000, rim=50.0, sphere=90.0))
+    ball = {"tool_radius": 4, "scallop": 0.1}
+    surface = pcl_spiral.surface("dome.xyz")
+    surface, loops = pcl_spiral.bridge_gaps(surface, pcl_spiral.boundary_loops(surface))
+    linked = pcl_spiral.link_loops(pcl_spiral.scallop_loops(pcl_spiral.step_over_field(surface, loops, **ball)))
+    for method, made in (("constant-scallop", linked), ("radial", pcl_spiral.radial_lines(surface, loops, **ball))):
+        run("toolpath", "dome.xyz", "-o", "program.csv", "--tool-radius", 4, "--scallop", 0.1, "--method", method)
+        pcl_spiral.spiral_over(surface, loops, made, method=method, **ball).save("python.csv")
+        same("program.csv", "python.csv")
+    cutter = {"tool_radius": 4, "corner_radius": 1}
+    options = "--tool-radius 4 --corner-radius 1 --step-over 3 --direction 30"
+    run("drive", "dome.xyz", *options.split(), "-o", "program.csv", "-o", "program.ngc")
+    passes = pcl_spiral.sections("dome.xyz", step_over=3, direction=30, **cutter)
+    path = pcl_spiral.cutter_locations("dome.xyz", passes, **cutter)
+    path.save("python.csv")
+    path.program("python.ngc")
+    same("program.csv", "python.csv")

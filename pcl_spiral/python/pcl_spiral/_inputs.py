@@ -257,6 +257,8 @@ def scan(points, settings, normals="normals"):
             _raise(normals, text, f"{normals}= goes with an array of points")
         return points and _file("points", points)
     columns = _columns("points", points)
+    if len(columns[0]) == 0:
+        _raise("points", "points= is empty: give the points of a scan, (N, 3)", "points= is empty", "invalid-input")
     names = np.asarray(points).dtype.names or ()
     for fields in (("nx", "ny", "nz"), ("normal_x", "normal_y", "normal_z")):
         if settings.get(normals) is None and settings.get("faces") is None and set(fields) <= set(names):
