@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // DrivePlanner and PathVerifier from C++: what has no meaning is refused and not passed over, defaults judge, the last input counts, and
 // nothing is left of an older result.
+#include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/planning/drive_planner.h>
 #include <pcl_spiral/planning/path_verifier.h>
 #include <pcl_spiral/planning/program_planner.h>
@@ -87,6 +88,38 @@ spiral()
 }
 
 } // namespace
+
+TEST(DrivePlanner, PassesOfTheUserTakeThePlaceOfTheDrivePath)
+{
+  for (const bool on_mesh : {false, true}) {
+    Driver planner;
+    DrivePath<pcl::PointXYZ> drive;
+    on_mesh ? planner.setInputMesh(mesh()) : planner.setInputCloud(cap());
+    on_mesh ? drive.setInputMesh(mesh()) : drive.setInputCloud(cap());
+    setTool(planner);
+    std::vector<ToolPoses> expected, made;
+    planner.compute(expected);
+    ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    drive.setSettings(planner.getSettings());
+    DrivePasses passes;
+    drive.compute(passes);
+    planner.setStepOver(7.0); // of no meaning now
+    planner.setDrivePasses(passes);
+    planner.compute(made);
+    ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    ASSERT_EQ(made.size(), expected.size());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      ASSERT_EQ(made[i].size(), expected[i].size());
+      for (std::size_t k = 0; k < made[i].size(); ++k)
+        EXPECT_EQ(made[i][k].tip, expected[i][k].tip);
+    }
+    EXPECT_FALSE(planner.getPlan().covers_scan);
+    planner.setGougeCheck(false);
+    planner.compute(made);
+    EXPECT_EQ(planner.getStatus().code(), StatusCode::InvalidArgument);
+    EXPECT_TRUE(made.empty());
+  }
+}
 
 TEST(DrivePlanner, TheBallStandsOnTheSphereAndNoWhereElse)
 {
