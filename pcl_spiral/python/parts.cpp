@@ -31,11 +31,11 @@ partInputs()
                              "its file",
                              {"setCropBox", "setCrop"}},
                             {"keep_outs",
-                             "Sequence[ArrayLike | File]",
+                             "Sequence[ArrayLike | File] | ArrayLike | File",
                              "polygons that the cutter does not enter: corners (N, 2), along z, or (N, 3), or files",
                              {"addKeepOut"}},
                             {"regions",
-                             "Sequence[ArrayLike | File]",
+                             "Sequence[ArrayLike | File] | ArrayLike | File",
                              "parts with a path of their own: polygons, or places (x, y, z) on separate parts",
                              {"addRegion", "PartRegion"}}};
 }

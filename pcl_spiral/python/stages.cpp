@@ -62,7 +62,7 @@ struct StageCall {
              (name == "spiral_over" ? own_stage_inputs : std::vector<Input>()) + progress_input)
   {}
 
-  void begin(const py::dict& given, const Eigen::Vector3d& shift)
+  StageCall(const std::string& name, const py::dict& given, const Eigen::Vector3d& shift) : StageCall(name)
   {
     keywords.take(given);
     ReadOptions read;
@@ -134,8 +134,7 @@ surface(const py::object& points, const py::dict& given)
 Loops
 boundaryLoops(const ShiftedSurface& surface, const py::dict& given)
 {
-  StageCall call("boundary_loops");
-  call.begin(given, surface.shift);
+  StageCall call("boundary_loops", given, surface.shift);
   const auto stage = std::make_shared<BoundaryLoops<Point>>();
   stage->setInputSurface(surface.value);
   stage->setMinHoleWidth(call.settings.hole_size);
@@ -145,8 +144,7 @@ boundaryLoops(const ShiftedSurface& surface, const py::dict& given)
 std::pair<ShiftedSurface, Loops>
 bridgeGaps(const ShiftedSurface& surface, const Loops& loops, const py::dict& given)
 {
-  StageCall call("bridge_gaps");
-  call.begin(given, surface.shift);
+  StageCall call("bridge_gaps", given, surface.shift);
   const auto stage = over<GapBridging<Point>>(surface, loops);
   stage->setBoundaryMode(call.settings.boundary_mode);
   stage->setHoleHandling(call.settings.holes);
@@ -159,8 +157,7 @@ bridgeGaps(const ShiftedSurface& surface, const Loops& loops, const py::dict& gi
 ShiftedLines
 radialLines(const ShiftedSurface& surface, const Loops& loops, const py::dict& given)
 {
-  StageCall call("radial_lines");
-  call.begin(given, surface.shift);
+  StageCall call("radial_lines", given, surface.shift);
   const auto stage = over<RadialLines<Point>>(surface, loops);
   stage->setBoundaryMode(call.settings.boundary_mode);
   stage->setLineMethod(call.settings.lines);
@@ -177,8 +174,7 @@ radialLines(const ShiftedSurface& surface, const Loops& loops, const py::dict& g
 ShiftedField
 stepOverField(const ShiftedSurface& surface, const Loops& loops, const py::dict& given)
 {
-  StageCall call("step_over_field");
-  call.begin(given, surface.shift);
+  StageCall call("step_over_field", given, surface.shift);
   const auto stage = over<OpenStage<StepOverField<Point>>>(surface, loops);
   stage->settings_ = call.settings;
   return {call.made<StepOverDistance::ConstPtr>(stage), surface.shift};
@@ -187,8 +183,7 @@ stepOverField(const ShiftedSurface& surface, const Loops& loops, const py::dict&
 ShiftedRings
 scallopLoops(const ShiftedField& field, const py::dict& given)
 {
-  StageCall call("scallop_loops");
-  call.begin(given, field.shift);
+  StageCall call("scallop_loops", given, field.shift);
   const auto stage = std::make_shared<OpenStage<ScallopLoops<Point>>>();
   stage->settings_ = call.settings;
   stage->setInputField(field.value);
@@ -198,8 +193,7 @@ scallopLoops(const ShiftedField& field, const py::dict& given)
 ShiftedPath
 linkLoops(const ShiftedRings& loops, const py::dict& given)
 {
-  StageCall call("link_loops");
-  call.begin(given, loops.shift);
+  StageCall call("link_loops", given, loops.shift);
   const auto stage = std::make_shared<OpenStage<LoopLinking<Point>>>();
   stage->settings_ = call.settings;
   stage->setInputField(loops.value.field);
@@ -229,8 +223,7 @@ setMade(const py::object& made, SpiralToolpathGenerator<Point>& stage)
 Path
 spiralOver(const ShiftedSurface& surface, const Loops& loops, const py::object& made, const py::dict& given)
 {
-  StageCall call("spiral_over");
-  call.begin(given, surface.shift);
+  StageCall call("spiral_over", given, surface.shift);
   const auto stage = over<SpiralToolpathGenerator<Point>>(surface, loops);
   stage->setSettings(call.settings);
   setMade(made, *stage);
@@ -292,8 +285,7 @@ placesOf(std::size_t size, At at)
 py::tuple
 project(const ShiftedSurface& surface, const py::object& places, const py::dict& given)
 {
-  StageCall call("project");
-  call.begin(given, surface.shift);
+  StageCall call("project", given, surface.shift);
   const auto stage = std::make_shared<MLSProjector<Point, pcl::PointNormal>>();
   stage->setInputSurface(surface.value);
   stage->setQueryCloud(cloudOf(lineOf(places, call.words)));
@@ -311,8 +303,7 @@ project(const ShiftedSurface& surface, const py::object& places, const py::dict&
 py::array_t<bool>
 boundaryPoints(const ShiftedSurface& surface, const py::dict& given)
 {
-  StageCall call("boundary_points");
-  call.begin(given, surface.shift);
+  StageCall call("boundary_points", given, surface.shift);
   const Surface& s = *surface.value;
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -375,7 +366,7 @@ linesOf(const Shifted<Value>& shifted, std::size_t size, LineAt lineAt)
 }
 
 void
-addClasses(py::module_& module)
+addSurface(py::module_& module)
 {
   py::class_<ShiftedSurface>(module, "Surface")
       .def_property_readonly("points",
@@ -396,6 +387,11 @@ addClasses(py::module_& module)
       .def_property_readonly("type", [](const ShiftedLoop& l) {
         return l.value.type == LoopType::Outer ? "outer" : l.value.type == LoopType::Inner ? "inner" : "gap";
       });
+}
+
+void
+addLines(py::module_& module)
+{
   py::class_<ShiftedLines>(module, "RadialLines")
       .def("__len__", [](const ShiftedLines& l) { return l.value.lines.size(); })
       .def_property_readonly("lines", [](const ShiftedLines& l) {
@@ -436,7 +432,8 @@ addClasses(py::module_& module)
 void
 addStages(py::module_& module, py::dict& tables)
 {
-  addClasses(module);
+  addSurface(module);
+  addLines(module);
   module.def("surface", &surface);
   module.def("boundary_loops", &boundaryLoops);
   module.def("bridge_gaps", &bridgeGaps);

@@ -134,6 +134,9 @@ def test_ridge_lines_as_in_one_call(folder):
     expected = pcl_spiral.ridge("ridge.pcd", through=through, half_width=9, **beam)
     lines = pcl_spiral.ridge_lines("ridge.pcd", through=through, half_width=9)
     made = pcl_spiral.ridge(rail=lines[0], generator=lines[1], **beam)
+    named = np.zeros(len(scan := points_of("ridge.pcd")), [(field, "f4") for field in ("x", "y", "z", "nx", "ny", "nz")])
+    named["x"], named["y"], named["z"] = scan.T
+    assert pcl_spiral.ridge_lines(named, through=through, half_width=9)[0].tobytes() == lines[0].tobytes()
     assert abs(len(made) - len(expected)) <= 2 and abs(made.arc_length[-1] / expected.arc_length[-1] - 1) < 1e-3
     assert np.abs(made.tip[0] - expected.tip[0]).max() < 0.01 or np.abs(made.tip[-1] - expected.tip[-1]).max() < 0.01
 

@@ -250,7 +250,7 @@ def given(table, settings):
 
 
 def scan(points, settings, normals="normals"):
-    """The points: a file, or columns; with what their fields say of normals."""
+    """The points: a file, or columns; with what their fields say of normals, if there is a keyword for these."""
     if points is None or _file("points", points):
         if settings.get(normals) is not None:
             text = f"{normals}= goes with an array of points: a file has its own normals; leave {normals}= out, or read the file yourself"
@@ -261,7 +261,7 @@ def scan(points, settings, normals="normals"):
         _raise("points", "points= is empty: give the points of a scan, (N, 3)", "points= is empty", "invalid-input")
     names = np.asarray(points).dtype.names or ()
     for fields in (("nx", "ny", "nz"), ("normal_x", "normal_y", "normal_z")):
-        if settings.get(normals) is None and settings.get("faces") is None and set(fields) <= set(names):
+        if normals and settings.get(normals) is None and settings.get("faces") is None and set(fields) <= set(names):
             settings[normals] = _columns("points", points, fields)
     faces = settings.get("faces")
     if isinstance(faces, np.ndarray):

@@ -25,7 +25,7 @@ def _default(row):
     return number if inside or at_end else ...
 
 
-FOLLOW = {"drive": {"corner_radius", "rows", "point_spacing", "tolerance", "chord_error"}, "verify": {"corner_radius"}}
+FOLLOW = {"drive": {"corner_radius", "rows", "point_spacing", "tolerance", "chord_error"}, "verify": {"corner_radius"}, "project": {"neighbours"}}
 FOLLOW |= dict.fromkeys(("ridge", "sections", "cutter_locations"), FOLLOW["drive"])
 
 
@@ -54,10 +54,11 @@ def _line(row):
 def document(function):
     """Gives a call its signature and its help."""
     table = table_of(function.__name__)
-    own = [p for p in inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
+    signature = inspect.signature(function)
+    own = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
     only = inspect.Parameter.KEYWORD_ONLY
     keywords = [inspect.Parameter(row["name"], only, default=row["default"], annotation=row["type"]) for row in table]
     call = functools.wraps(function)(lambda *values, **settings: function(*values, **given(table, settings)))
-    call.__signature__ = inspect.Signature(own + keywords)
+    call.__signature__ = inspect.Signature(own + keywords, return_annotation=signature.return_annotation)
     call.__doc__ = function.__doc__ + "\n\nKeywords:\n" + "\n".join(map(_line, table)) + "\n"
     return call

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Types of the package, made from the tables of settings. Usage: python3 -m pcl_spiral._stub FILE"""
 
+import inspect
 import re
 import sys
 
+import pcl_spiral
+
+from . import _core
 from ._keywords import table_of
 
 HEAD = '''\
@@ -22,6 +26,7 @@ Int = int | np.integer[Any]
 Bool = bool | np.bool_
 Place = Sequence[Float] | NDArray[Any]
 Doubles = NDArray[np.float64]
+Loops = Sequence["BoundaryLoop"]
 Points = ArrayLike | File
 Progress = Callable[[float, str], object]
 
@@ -62,32 +67,6 @@ class Modifier:
 """
 SIZED = "    def __len__(self) -> int: ...\n"
 METHODS = "    def __len__(self) -> int: ...\n    def save(self, file: File) -> None: ...\n    def to_vtk(self) -> Any: ...\n"
-LOOPS = "Sequence[BoundaryLoop]"
-FUNCTIONS = {  # what they have before their keywords, and what they give
-    "spiral": ("points: Points", "Path"),
-    "drive": ("points: Points", "Path"),
-    "ridge": ("points: Points | None = None", "Path"),
-    "program": ("path: Path, file: File", "Program"),
-    "verify": ("points: Points, path: Path | File", "Verification"),
-    "surface": ("points: Points", "Surface"),
-    "boundary_points": ("surface: Surface", "NDArray[np.bool_]"),
-    "boundary_loops": ("surface: Surface", "list[BoundaryLoop]"),
-    "bridge_gaps": (f"surface: Surface, loops: {LOOPS}", "tuple[Surface, list[BoundaryLoop]]"),
-    "radial_lines": (f"surface: Surface, loops: {LOOPS}", "RadialLines"),
-    "step_over_field": (f"surface: Surface, loops: {LOOPS} = ()", "StepOverField"),
-    "scallop_loops": ("field: StepOverField", "ScallopLoops"),
-    "link_loops": ("loops: ScallopLoops", "LinkedPath"),
-    "spiral_over": (
-        f"surface: Surface, loops: {LOOPS} = (), made: RadialLines | StepOverField | ScallopLoops | LinkedPath | None = None",
-        "Path",
-    ),
-    "sections": ("points: Points", "list[Pass]"),
-    "cutter_locations": ("points: Points, passes: Iterable[Sequence[ArrayLike | None]]", "Path"),
-    "ridge_lines": ("points: Points", "tuple[Doubles, Doubles]"),
-    "project": ("surface: Surface, places: Points", "Feet"),
-}
-GEODESIC = "\ndef geodesic_path(surface: Surface, source: Place, targets: Points) -> list[Doubles]: ...\n"
-
 
 def _class(name, members):
     """A class whose members can be read."""
@@ -101,20 +80,24 @@ def _type(row):
     return re.sub(r"\b(float|int|bool)\b", lambda kind: kind[0].title(), row["type"]) if "text" in row else row["type"]
 
 
-def _function(name, first, result, indent=""):
+def _function(function, indent=""):
     """A call with all its keywords; a required one has no default."""
+    signature, name = inspect.signature(function), function.__name__
+    own = [str(p).replace("'", "") for p in signature.parameters.values() if p.kind is not p.KEYWORD_ONLY]
     keywords = "".join(
         f"{indent}    {row['name']}: {_type(row)}" + ("" if row["default"] is ... else f" = {row['default']!r}") + ",\n"
-        for row in table_of(name)
+        for row in (table_of(name) if name in _core.tables else ())
     )
-    return f"{indent}def {name}(\n{indent}    {first},\n{indent}    *,\n{keywords}{indent}) -> {result}: ...\n"
+    first = ", ".join(own) if not indent else "self, " + ", ".join(own[1:])  # a method
+    stars = f"{indent}    *,\n{keywords}" if keywords else ""
+    return f"{indent}def {name}(\n{indent}    {first},\n{stars}{indent}) -> {signature.return_annotation}: ...\n"
 
 
 def stub():
     """The text of __init__.pyi."""
-    text = HEAD + "".join(_class(*one) for one in CLASSES.items())
-    text += METHODS + _function("program", "self, file: File", "Program", "    ")
-    return text + "".join("\n" + _function(name, *rest) for name, rest in FUNCTIONS.items()) + GEODESIC + OWN
+    functions = [value for value in vars(pcl_spiral).values() if inspect.isfunction(value) and not value.__name__.startswith("_")]
+    text = HEAD + "".join(_class(*one) for one in CLASSES.items()) + METHODS + _function(pcl_spiral.program, "    ")
+    return text + "".join("\n" + _function(function) for function in functions if function.__name__ in pcl_spiral.__all__) + OWN
 
 
 if __name__ == "__main__":
