@@ -61,7 +61,8 @@ def test_robot_cell(folder):
     assert (folder / "part_0.yaml").read_bytes() == (folder / "part_1.yaml").read_bytes()
 
 
-@pytest.mark.parametrize("page", [("README.md",), ("pcl_spiral", "doc", "python.md")], ids=lambda names: names[-1])
+@pytest.mark.parametrize("page", [("README.md",), ("pcl_spiral", "doc", "python.md"), ("pcl_spiral", "doc", "python_stages.md")],
+                         ids=lambda names: names[-1])
 def test_lines_on_pages_run_word_for_word(page, part):
     blocks = re.findall(r"```python\n(.*?)```", pathlib.Path(source(*page)).read_text(), re.S)
     assert blocks
