@@ -26,12 +26,11 @@ constexpr std::uint32_t none = Triangulation::none;
 class RidgeCutter {
 public:
   RidgeCutter(StepOverMesh mesh, MarchedDistances& marched, std::vector<std::uint8_t>& may_cross)
-  : mesh_(std::move(mesh)), marched_(marched), may_cross_(may_cross), on_edge_(mesh_.triangles.halfEdgeCount(), none)
+  : mesh_(std::move(mesh)), marched_(marched), may_cross_(may_cross), is_crossed_(mesh_.triangles.triangleCount(), 0)
   {}
 
   StepOverMesh run()
   {
-    findFronts();
     const std::size_t before = mesh_.size();
     addCrossings();
     if (mesh_.size() == before)
@@ -40,26 +39,17 @@ public:
     for (std::uint32_t i = 0; i < mesh_.triangles.triangleCount(); ++i)
       cut(i);
     mesh_.triangles = Triangulation(); // not beside the new one
-    std::vector<std::uint32_t>().swap(on_edge_);
     mesh_.triangles = Triangulation(mesh_.size(), std::move(triangles_));
     return std::move(mesh_);
   }
 
 private:
-  void findFronts()
-  {
-    fronts_.assign(mesh_.size(), Eigen::Vector3d::Zero());
-    const auto count = static_cast<std::int64_t>(mesh_.size());
-#pragma omp parallel for schedule(static, 4096)
-    for (std::int64_t v = 0; v < count; ++v)
-      if (may_cross_[v] && marched_.over[v][0] != none)
-        fronts_[v] = frontAt(static_cast<std::uint32_t>(v));
-  }
-
-  /** Gradient of the distance, a mm, in the triangle or along the edge through which the front came to node \p v. */
+  /** Gradient of the distance, a mm, in the triangle or along the edge through which the front came to node \p v; zero on rims. */
   Eigen::Vector3d frontAt(std::uint32_t v) const
   {
     const auto [i, j] = marched_.over[v];
+    if (i == none)
+      return Eigen::Vector3d::Zero();
     const Eigen::Vector3d a = mesh_.positions[v] - mesh_.positions[i];
     const double rise = marched_.distance[v] - marched_.distance[i];
     if (i == j)
@@ -71,18 +61,43 @@ private:
   void addCrossings()
   {
     const Triangulation& t = mesh_.triangles;
-    std::vector<double> shares(t.halfEdgeCount(), 0.0);
-    const auto count = static_cast<std::int64_t>(t.halfEdgeCount());
-#pragma omp parallel for schedule(static, 4096)
-    for (std::int64_t h = 0; h < count; ++h)
-      if (t.opposite(static_cast<std::uint32_t>(h)) != none && h < t.opposite(static_cast<std::uint32_t>(h)))
-        shares[h] = crossingOn(t.origin(static_cast<std::uint32_t>(h)), t.target(static_cast<std::uint32_t>(h)));
-    for (std::uint32_t h = 0; h < shares.size(); ++h)
-      if (shares[h] > 0.0) {
+    constexpr std::uint32_t together = 1 << 14; // half-edges
+    std::vector<std::vector<std::pair<std::uint32_t, double>>> found((t.halfEdgeCount() + together - 1) / together);
+    const auto blocks = static_cast<std::int64_t>(found.size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::int64_t block = 0; block < blocks; ++block) {
+      const auto begin = static_cast<std::uint32_t>(block) * together;
+      const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(t.halfEdgeCount(), begin + std::size_t{together}));
+      for (std::uint32_t h = begin; h < end; ++h)
+        if (const std::uint32_t opposite = t.opposite(h); opposite != none && h < opposite)
+          if (const double share = crossingOn(t.origin(h), t.target(h)); share > 0.0)
+            found[block].emplace_back(h, share);
+    }
+    std::size_t crossings = 0;
+    for (const auto& block : found)
+      crossings += block.size();
+    reserve(mesh_.size() + 3 * crossings); // each is in two triangles, which may have a middle each
+    for (const auto& block : found)
+      for (const auto& [h, share] : block) {
         const std::uint32_t a = t.origin(h), b = t.target(h);
-        const double rise = fronts_[a].dot(mesh_.positions[b] - mesh_.positions[a]);
-        on_edge_[h] = on_edge_[t.opposite(h)] = add(a, b, shares[h], marched_.distance[a] + shares[h] * rise);
+        const double rise = frontAt(a).dot(mesh_.positions[b] - mesh_.positions[a]);
+        const std::uint32_t node = add(a, b, share, marched_.distance[a] + share * rise);
+        for (const std::uint32_t side : {h, t.opposite(h)}) {
+          on_edge_.emplace_back(side, node);
+          is_crossed_[side / 3] = 1;
+        }
       }
+    std::sort(on_edge_.begin(), on_edge_.end());
+  }
+
+  void reserve(std::size_t nodes)
+  {
+    mesh_.positions.reserve(nodes);
+    mesh_.normals.reserve(nodes);
+    mesh_.metric.reserve(nodes);
+    marched_.distance.reserve(nodes);
+    marched_.over.reserve(nodes);
+    may_cross_.reserve(nodes);
   }
 
   /** Share of the edge from \p a to \p b at which the fronts of its ends are equally far; 0 if no ridge crosses it. */
@@ -91,7 +106,7 @@ private:
     if (!may_cross_[a] || !may_cross_[b])
       return 0.0;
     const Eigen::Vector3d edge = mesh_.positions[b] - mesh_.positions[a];
-    const double from_a = fronts_[a].dot(edge), from_b = fronts_[b].dot(edge), change = from_a - from_b;
+    const double from_a = frontAt(a).dot(edge), from_b = frontAt(b).dot(edge), change = from_a - from_b;
     if (!(change > least_change * edgeLength(mesh_, a, b)))
       return 0.0;
     const double share = (marched_.distance[b] - from_b - marched_.distance[a]) / change;
@@ -113,15 +128,22 @@ private:
     return static_cast<std::uint32_t>(mesh_.size() - 1);
   }
 
+  /** The node on half-edge \p h, or none. */
+  std::uint32_t nodeOn(std::uint32_t h) const
+  {
+    const auto at = std::lower_bound(on_edge_.begin(), on_edge_.end(), std::make_pair(h, std::uint32_t{0}));
+    return at != on_edge_.end() && at->first == h ? at->second : none;
+  }
+
   /** The triangles in place of triangle \p i. */
   void cut(std::uint32_t i)
   {
     const Triangle c = mesh_.triangles.triangle(i);
-    const std::array<std::uint32_t, 3> on{on_edge_[3 * i], on_edge_[3 * i + 1], on_edge_[3 * i + 2]};
+    if (!is_crossed_[i])
+      return triangles_.push_back(c);
+    const std::array<std::uint32_t, 3> on{nodeOn(3 * i), nodeOn(3 * i + 1), nodeOn(3 * i + 2)};
     const auto crossings = 3 - std::count(on.begin(), on.end(), none);
-    if (crossings == 0)
-      triangles_.push_back(c);
-    else if (crossings == 3) // ridges meet
+    if (crossings == 3) // ridges meet
       triangles_.insert(triangles_.end(), {{c[0], on[0], on[2]}, {on[0], c[1], on[1]}, {on[2], on[1], c[2]}, {on[0], on[1], on[2]}});
     else if (crossings == 1)
       cutThroughCorner(c, on, static_cast<std::size_t>(std::find_if(on.begin(), on.end(), [](auto v) { return v != none; }) - on.begin()));
@@ -153,8 +175,8 @@ private:
   StepOverMesh mesh_;
   MarchedDistances& marched_;
   std::vector<std::uint8_t>& may_cross_;
-  Polyline fronts_;                    ///< one a node
-  std::vector<std::uint32_t> on_edge_; ///< node on each half-edge, or none
+  std::vector<std::uint8_t> is_crossed_;                         ///< one a triangle
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> on_edge_; ///< half-edges with the nodes on them, ascending
   std::vector<Triangle> triangles_;
 };
 

@@ -82,7 +82,7 @@ private:
   bool measureDoubtful(const ProgressCallback& progress);
   void pull();
   bool isTaken(std::size_t centre) const;
-  void watchTests(const std::vector<std::uint8_t>& near, const SegmentSet& line, const std::vector<std::size_t>& dense);
+  void watchTests(const std::vector<std::uint8_t>& near, const std::vector<std::size_t>& dense);
   void cover(std::uint32_t w);
   void raiseLimits(std::size_t segment);
   bool move();
@@ -124,29 +124,34 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
     return true;
   std::vector<std::uint8_t> near(path_.points.size() + 1, 0); // the segment of a single point has a second end
   findNear(*line, places, near);
+  const auto count = static_cast<std::int64_t>(tests_.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i) // from now on of the path
+    if (std::size_t& segment = tests_.nearest[i].segment; segment != NearestSegment::none)
+      segment = line->label(segment) + line->place(segment);
+  line.reset();
   std::vector<std::size_t> dense;
   densify(near, held, cover_grain, path_, near_, moves_, dense);
   shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
   moved_.assign(path_.points.size() + 1, 0.0);
   taken_.assign(path_.points.size(), 0);
-  watchTests(near, *line, dense);
-  line.reset();
+  watchTests(near, dense);
   lines_ = movingLines();
   return !progress || progress(1.0, "coverage");
 }
 
-/** Watch the tests that are uncovered, or covered by a segment of \p line that may move. \p near: the points of the path that may, as it
+/** Watch the tests that are uncovered, or covered by a segment that may move. \p near: the points of the path that may, as it
  *  was; \p dense: where these points are now. */
 void
-Mover::watchTests(const std::vector<std::uint8_t>& near, const SegmentSet& line, const std::vector<std::size_t>& dense)
+Mover::watchTests(const std::vector<std::uint8_t>& near, const std::vector<std::size_t>& dense)
 {
   covered_by_.assign(path_.points.size() + 1, Watched::none);
   for (std::size_t i = 0; i < tests_.size(); ++i) {
     Watched at;
     at.distance = tests_.nearest[i].distance;
     at.test = static_cast<std::uint32_t>(i);
-    if (const std::size_t s = tests_.nearest[i].segment; s != NearestSegment::none) {
-      const std::size_t p = line.label(s) + line.place(s), parts = dense[p + 1] - dense[p];
+    if (const std::size_t p = tests_.nearest[i].segment; p != NearestSegment::none) {
+      const std::size_t parts = dense[p + 1] - dense[p];
       if (!(at.distance > covered) && !near[p] && !near[p + 1])
         continue;
       const auto part = std::min(parts - 1, static_cast<std::size_t>(tests_.nearest[i].share * static_cast<double>(parts)));
