@@ -167,7 +167,8 @@ TEST(StandingClusters, AThingThatHidesTheSurfaceIsOneClusterOfAllItsPoints)
   // Its middle is far from all that is seen of the dome.
   for (const double height : {8.0, 12.0}) {
     const Cloud::Ptr cloud(new Cloud);
-    for (const pcl::PointXYZ& p : *dome(3))
+    const Cloud::Ptr whole = dome(3);
+    for (const pcl::PointXYZ& p : *whole)
       if (std::max(std::abs(p.x - 2.0f), std::abs(p.y)) > 4.0f)
         cloud->push_back(p);
     std::mt19937 random(3);

@@ -100,10 +100,13 @@ TEST(PathRemedies, WhichMethod)
   const auto without = [](Spiral& s) {
     s.setLineMethod(LineMethod::Automatic), s.clearCenter(), s.setMethod(SpiralMethod::ConstantScallop);
   };
-  const auto small_hole = [] {
-    return plateWithout([](double x, double y) { return std::hypot(x - 1.391, y + 0.478) < 2.211; }, 15.0, 0.7);
+  const auto holes = [] { // few points about them
+    const Region part({rectangle(40.0, 24.0), circle({-10.0, 1.0}, 3.0), circle({3.0, -5.0}, 2.5), circle({11.0, 4.0}, 3.0)});
+    return toCloud(sampleUniform(*flat(part), 900, 10).points);
   };
-  const auto scallop = [](Spiral& s) { s.setHoleSize(3.5), s.setScallopHeight(0.1), s.setMethod(SpiralMethod::ConstantScallop); };
+  const auto scallop = [](Spiral& s) {
+    s.setToolRadius(5.0), s.setHoleSize(3.5), s.setScallopHeight(0.1), s.setMethod(SpiralMethod::ConstantScallop);
+  };
   const auto joined = [] { return besideWall(2.0); };
   expectNoFaults({
       spiralOver(arc, "the radial lines there are not in order", method(SpiralMethod::Radial), {{"setMethod", without}}),
@@ -113,8 +116,8 @@ TEST(PathRemedies, WhichMethod)
                    s.setCenter({14.0, 0.0, 0.0});
                  },
                  {{"setMethod", without}}),
-      spiralOver(small_hole, "else choose another scallop height", scallop,
-                 {{"setScallopHeight", [](Spiral& s) { s.setScallopHeight(0.07); }},
+      spiralOver(holes, "else choose another scallop height", scallop,
+                 {{"setScallopHeight", [](Spiral& s) { s.setScallopHeight(0.05); }},
                   {"setSense", [](Spiral& s) { s.setSense(SpiralSense::Clockwise); }}}),
       spiralOver([] { return besideWall(2.0, true); }, "else choose another scallop height",
                  [](Spiral& s) { s.setPartAt(Vector3d::Zero()); }, {{"setCrop", crop(box(-16.0, 8.0, -16.0, 16.0))}}),

@@ -242,7 +242,8 @@ Scene
 sceneOf(const Post& post)
 {
   Scene scene;
-  for (const pcl::PointXYZ& p : *sceneOf({}, 0.0, false, 3).cloud)
+  const Scene bare = sceneOf({}, 0.0, false, 3);
+  for (const pcl::PointXYZ& p : *bare.cloud)
     if (!post.covers(p.getVector3fMap().cast<double>()))
       scene.cloud->push_back(p);
   for (double x = -post.half; x <= post.half; ++x)

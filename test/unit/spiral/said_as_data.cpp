@@ -128,7 +128,8 @@ TEST(SaidAsData, RefusedSettings)
 TEST(SaidAsData, RefusedScansAndWarnings)
 {
   const auto two = cloudOf(20.0, dome);
-  for (const pcl::PointXYZ& p : *cloudOf(6.0, dome))
+  const auto small = cloudOf(6.0, dome);
+  for (const pcl::PointXYZ& p : *small)
     two->emplace_back(p.x + 60.0F, p.y, p.z);
   const auto upside = cloudOf(20.0, [](double x, double y) { return 3.0 * x + 0.2 * y; });
   std::size_t places = 0;
