@@ -22,8 +22,9 @@ namespace pcl_spiral {
 namespace {
 
 /** Edges a step-over about the ridges. Measured on the table of outlines, with edges along the ridges, for 3, 4, 4.5 and 5: highest
- *  scallops of 1.134, 1.097, 1.095 and 1.093 h in the mean; 20, 27, 27 and 26 rows of 30 within every limit. In the middle of a disc D is
- *  late by more than an eighth of the spacing with 4 (test step_over_cost). */
+ *  scallops of 1.134, 1.097, 1.095 and 1.093 h in the mean; 20, 27, 27 and 26 rows of 30 within every limit. The figures of 3 were
+ *  taken with fingers of 0.42 in place of 0.49. In the middle of a disc D is late by more than an eighth of the spacing with 4 (test
+ *  step_over_cost). */
 constexpr double parts_a_step = 4.5;
 constexpr double ridge_turn = 14.0; // degrees
 /** Step-overs on either side of a ridge. A place that is not covered lies within half a step-over of a ridge, and a finger there blends
