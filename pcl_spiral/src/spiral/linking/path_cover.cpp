@@ -78,6 +78,7 @@ private:
   void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, std::vector<std::uint8_t>& near) const;
   NearPath nearPath(const Watched& at) const;
   SegmentSet movingLines() const;
+  bool isStillCovered(Watched& at) const;
   void measure(Watched& at);
   bool measureDoubtful(const ProgressCallback& progress);
   void pull();
@@ -231,6 +232,22 @@ Mover::movingLines() const
   return lines;
 }
 
+/** Whether a place is covered by the segment of which its limit was taken, which has moved since; the limit is then taken of it again. */
+bool
+Mover::isStillCovered(Watched& at) const
+{
+  const std::size_t s = at.segment;
+  if (s + 1 >= path_.points.size())
+    return false;
+  double share = 0.0;
+  const double d = distanceFromSegment(tests_.points[at.test], tests_.metric[at.test], path_.points[s], path_.points[s + 1], share);
+  if (d > covered)
+    return false;
+  at.distance = d;
+  return true;
+}
+
+/** Measure a place from the path near it. */
 void
 Mover::measure(Watched& at)
 {
@@ -255,19 +272,26 @@ Mover::measureDoubtful(const ProgressCallback& progress)
 {
   std::vector<std::uint32_t> measured;
   measured.swap(doubtful_);
+  const auto count = static_cast<std::int64_t>(measured.size());
+  std::vector<std::uint8_t> still(measured.size(), 0);
+#pragma omp parallel for schedule(static, 256)
+  for (std::int64_t k = 0; k < count; ++k)
+    still[k] = isStillCovered(watched_[measured[k]]);
   const auto known = static_cast<std::uint32_t>(near_paths_.size());
-  for (const std::uint32_t w : measured)
-    if (watched_[w].near == Watched::none) {
-      watched_[w].near = static_cast<std::uint32_t>(near_paths_.size());
+  for (std::size_t k = 0; k < measured.size(); ++k)
+    if (Watched& at = watched_[measured[k]]; !still[k] && at.near == Watched::none) {
+      at.near = static_cast<std::uint32_t>(near_paths_.size());
       near_paths_.emplace_back();
     }
   const auto measureOne = [&](std::int64_t k) {
+    if (still[k])
+      return;
     Watched& at = watched_[measured[k]];
     if (at.near >= known)
       near_paths_[at.near] = nearPath(at);
     measure(at);
   };
-  if (!stoppableLoop(0, static_cast<std::int64_t>(measured.size()), partOf(progress, 0.0, 1.0, "coverage"), measureOne))
+  if (!stoppableLoop(0, count, partOf(progress, 0.0, 1.0, "coverage"), measureOne))
     return false;
   for (const std::uint32_t w : measured)
     cover(w);
