@@ -76,19 +76,21 @@ TEST(StepOverCost, ThinTrianglesAreNotCorrectedWithoutEnd)
   const double wide = meanVisits(made, 0.02, field);
   const std::size_t nodes = field.mesh.size();
   const double narrow = meanVisits(made, 0.005, field);
-  EXPECT_GT(field.mesh.size(), 3 * nodes);
+  EXPECT_GT(field.mesh.size(), 2 * nodes);
   EXPECT_GE(wide, 1.0 - visits_a_call / static_cast<double>(nodes)); // every node is visited
-  EXPECT_LT(wide, 2.0);          // nodes beside a part that is cut, and those with thin triangles, are visited again
-  EXPECT_LT(narrow, 1.1 * wide); // the cost grows as the nodes do
+  EXPECT_LT(wide, 3.0);                                              // by three marches: on the mesh as it is, and behind either cut
+  EXPECT_LT(narrow, 1.1 * wide);                                     // the cost grows as the nodes do
 }
 
 TEST(StepOverCost, DistancesStayThoseOfThePlane)
 {
   const SurfaceMade made = unevenDisc(0.0);
   StepOverDistance field;
-  for (const double scallop : {0.02, 0.005}) { // straight fronts are late by a share of an edge, not of a step-over
+  // A round front is early by e^2/8r over an edge e, from the rim to radius r together by e/8 of e/r, and edges are cut where it turns by
+  // more than 20 degrees over one, r < 2.9 e: 4 % of the spacing, and 4 % of the edges once cut. The rim has edges, too.
+  for (const double scallop : {0.02, 0.005}) { // a share of the spacing, not of a step-over
     meanVisits(made, scallop, field);
-    EXPECT_LT(largestError(made, scallop, field), made.surface->spacing() / 8.0);
+    EXPECT_LT(largestError(made, scallop, field), made.surface->spacing() / 7.0);
   }
 }
 
@@ -98,13 +100,13 @@ TEST(StepOverCost, ItEndsAtTheFirstCallThatCancels)
   StepOverDistance field;
   const auto runUntil = [&](std::size_t last) {
     std::size_t calls = 0;
-    const Status status = measureStepOvers(*made.surface, made.loops, {tool_radius, 0.005, 0.0}, field,
+    const Status status = measureStepOvers(*made.surface, made.loops, {tool_radius, 0.002, 0.0}, field,
                                            [&](double, const std::string&) { return ++calls < last; });
     return std::make_pair(status.code(), calls);
   };
   const auto [whole, all] = runUntil(1000000);
   ASSERT_EQ(whole, StatusCode::Ok);
-  ASSERT_GT(all, 40u);
+  ASSERT_GT(all, 20u);
   for (const std::size_t last : {std::size_t{1}, std::size_t{2}, std::size_t{3}, all / 2, all}) {
     const auto [code, calls] = runUntil(last);
     EXPECT_EQ(code, StatusCode::Cancelled) << last;

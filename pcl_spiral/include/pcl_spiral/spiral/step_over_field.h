@@ -20,13 +20,11 @@ struct StepOverDistance {
 
   StepOverMesh mesh;                 ///< nodes and triangles, up to the outlines
   std::vector<double> distance;      ///< one per node
-  std::vector<std::uint8_t> is_cut;  ///< one per node: 1 in the band about the ridges in which the mesh was cut
-  std::vector<std::uint8_t> is_fine; ///< one per node: 1 of these within 1.4 step-overs of a ridge
+  std::vector<float> edge;           ///< one per node: the usual edge of the mesh there, in step-overs; less where it was cut
+  std::vector<std::uint8_t> is_fine; ///< one per node: 1 where the mesh was cut within 1.4 step-overs of a ridge
   std::vector<std::uint8_t> is_weak; ///< one per triangle: 1 outside the band where |grad D| is below 0.97
   double largest = 0.0;              ///< of distance: the number of loops one inside the other
   double least_length = 0.0;         ///< mm: integral of dA / largest step-over in any direction, plus half the boundary length
-  double usual_edge = 0.0;           ///< median edge of the mesh before it was cut, in step-overs
-  double cut_edge = 0.0;             ///< the same where it was cut
   StepOverBasis basis;               ///< what it was made with
 };
 

@@ -18,7 +18,7 @@ checkField(const StepOverDistance& field)
   if (nodes == 0 || triangles == 0)
     return {StatusCode::InvalidInput, "the field is empty: give a field made by {StepOverField}, or a null pointer and a cloud"};
   if (field.mesh.rims.empty() || field.mesh.metric.size() != nodes || field.mesh.normals.size() != nodes ||
-      field.distance.size() != nodes || field.is_cut.size() != nodes || field.is_fine.size() != nodes || field.is_weak.size() != triangles)
+      field.distance.size() != nodes || field.edge.size() != nodes || field.is_fine.size() != nodes || field.is_weak.size() != triangles)
     return {StatusCode::InvalidInput, Diagnostic("the field has ", nodes, " nodes and ", triangles, " triangles, but ",
                                                  field.distance.size(), " distances, ", field.is_weak.size(), " marks of triangles and ",
                                                  field.mesh.rims.size(), " rims: give a field made by {StepOverField}")};

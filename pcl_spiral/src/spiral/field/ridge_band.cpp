@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_band.h"
 
-#include "ridge_climb.h"
+#include "edge_walk.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace pcl_spiral {
 namespace {
 
-constexpr float near_band = 1.5f; // step-overs
+constexpr double near_band = 1.5; // step-overs
 
 /** Mark the corners of every triangle that has a corner marked in \p before. */
 void
@@ -52,63 +50,13 @@ RidgeBand::sortNodes()
   forNodes([&](std::uint32_t v, std::size_t level) { nodes_[next[level]++] = v; });
 }
 
-/** Nodes of the band with neighbours outside. */
-std::vector<std::uint32_t>
-RidgeBand::outermost() const
-{
-  std::vector<std::uint8_t> is_outermost(nodes_.size(), 0);
-  const auto count = static_cast<std::int64_t>(nodes_.size());
-#pragma omp parallel for schedule(static, 4096)
-  for (std::int64_t i = 0; i < count; ++i)
-    forNeighbours(field_.mesh.triangles, nodes_[i], [&](std::uint32_t w) { is_outermost[i] = is_outermost[i] || !field_.is_fine[w]; });
-  std::vector<std::uint32_t> found;
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (is_outermost[i])
-      found.push_back(nodes_[i]);
-  return found;
-}
-
-/** Shortest ways along edges from the band, in rounds: all nodes with a new way look at their neighbours in parallel. The order, and who
- *  finds a way first, do not matter: a node is in the next round when a shorter way to it is found, and the shortest remains. */
+/** Nodes within reach of the band, and the first beyond on each way: it ends an edge that begins within. */
 void
 RidgeBand::findNear()
 {
-  const auto size = static_cast<std::int64_t>(field_.mesh.size());
-  std::vector<std::atomic<float>> reached(size);
-  std::vector<std::atomic<bool>> waits(size);
-#pragma omp parallel for schedule(static)
-  for (std::int64_t v = 0; v < size; ++v)
-    reached[v].store(field_.is_fine[v] ? 0.0f : std::numeric_limits<float>::infinity(), std::memory_order_relaxed);
-  const auto lookOn = [&](std::uint32_t v, std::vector<std::uint32_t>& found) {
-    waits[v].store(false);
-    const float walked = reached[v].load();
-    forNeighbours(field_.mesh.triangles, v, [&](std::uint32_t w) {
-      float before = reached[w].load();
-      if (walked >= before)
-        return;
-      const float there = walked + static_cast<float>(edgeLength(field_.mesh, v, w));
-      while (there < before && !reached[w].compare_exchange_weak(before, there))
-        ;
-      if (there < before && there < near_band && !waits[w].exchange(true))
-        found.push_back(w);
-    });
-  };
-  for (std::vector<std::uint32_t> front = outermost(), next; !front.empty(); front.swap(next), next.clear()) {
-    const auto count = static_cast<std::int64_t>(front.size());
-#pragma omp parallel
-    {
-      std::vector<std::uint32_t> found;
-#pragma omp for schedule(dynamic, 256) nowait
-      for (std::int64_t i = 0; i < count; ++i)
-        lookOn(front[i], found);
-#pragma omp critical(pcl_spiral_ridge_band)
-      next.insert(next.end(), found.begin(), found.end());
-    }
-  }
-  is_near_.resize(size); // the first beyond the reach too: it ends an edge that begins within
-#pragma omp parallel for schedule(static)
-  for (std::int64_t v = 0; v < size; ++v)
-    is_near_[v] = std::isfinite(reached[v].load(std::memory_order_relaxed));
+  const std::vector<float> walked = walkedFrom(field_.mesh, field_.is_fine, near_band);
+  is_near_.resize(walked.size());
+  std::transform(walked.begin(), walked.end(), is_near_.begin(), [](float w) -> std::uint8_t { return std::isfinite(w); });
 }
 
 void

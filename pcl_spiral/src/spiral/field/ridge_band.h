@@ -39,7 +39,6 @@ public:
 
 private:
   void sortNodes();
-  std::vector<std::uint32_t> outermost() const;
   void findNear();
   void findAbout();
 

@@ -2,6 +2,7 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
+#include "edge_walk.h"
 #include "mesh_distance.h"
 #include "mesh_refinement.h"
 #include "ridge_edges.h"
@@ -13,7 +14,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -49,55 +52,38 @@ medianEdge(const StepOverMesh& mesh)
   return edges[edges.size() / 2];
 }
 
-/** Add \p rings times the triangles that share a node with those chosen. */
-void
-grow(const Triangulation& triangles, std::vector<std::uint8_t>& chosen, int rings)
-{
-  std::vector<std::uint32_t> added;
-  for (std::uint32_t t = 0; t < chosen.size(); ++t)
-    if (chosen[t])
-      added.push_back(t);
-  for (int ring = 0; ring < rings; ++ring) {
-    std::vector<std::uint32_t> last;
-    last.swap(added);
-    for (const std::uint32_t t : last)
-      for (const std::uint32_t v : triangles.triangle(t))
-        for (std::size_t o = triangles.outgoingBegin(v); o < triangles.outgoingBegin(v + 1); ++o)
-          if (const std::uint32_t beside = triangles.outgoing(o) / 3; !chosen[beside]) {
-            chosen[beside] = 1;
-            added.push_back(beside);
-          }
-  }
-}
-
-/** Triangles about the ridges of \p distance. \p edge: of the mesh there. */
+/** Triangles with a corner within \p width step-overs of a ridge of \p distance. */
 std::vector<std::uint8_t>
-aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, double edge)
+aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, double width)
 {
   const std::vector<float> agreement = gradientAgreement(mesh, distance);
   const auto least = static_cast<float>(std::cos(ridge_turn * pi / 180.0));
+  std::vector<std::uint8_t> on_ridge(mesh.size());
+  std::transform(agreement.begin(), agreement.end(), on_ridge.begin(), [least](float a) -> std::uint8_t { return a < least; });
+  const std::vector<float> walked = walkedFrom(mesh, on_ridge, width);
   std::vector<std::uint8_t> chosen(mesh.triangles.triangleCount(), 0);
   const auto count = static_cast<std::int64_t>(chosen.size());
 #pragma omp parallel for schedule(static, 4096)
   for (std::int64_t t = 0; t < count; ++t)
     for (const std::uint32_t v : mesh.triangles.triangle(t))
-      chosen[t] |= agreement[v] < least;
-  grow(mesh.triangles, chosen, static_cast<int>(std::ceil(band_width / edge)));
+      chosen[t] |= walked[v] < width;
   return chosen;
 }
 
-/** Triangles about the ridges of \p distance, and triangles in which it is not a true distance. */
+/** Triangles about the ridges of \p distance, and those about triangles in which it is not a true distance. */
 std::vector<std::uint8_t>
-ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double edge)
+ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double width)
 {
-  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, edge);
+  std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, width);
   const std::vector<float> lengths = gradientLengths(mesh, distance);
-  std::vector<std::uint8_t> weak(chosen.size(), 0);
+  std::vector<std::uint8_t> weak(mesh.size(), 0);
   for (std::size_t t = 0; t < chosen.size(); ++t)
-    weak[t] = lengths[t] < band_gradient;
-  grow(mesh.triangles, weak, 1);
+    if (lengths[t] < band_gradient)
+      for (const std::uint32_t v : mesh.triangles.triangle(t))
+        weak[v] = 1;
   for (std::size_t t = 0; t < chosen.size(); ++t)
-    chosen[t] |= weak[t];
+    for (const std::uint32_t v : mesh.triangles.triangle(t))
+      chosen[t] |= weak[v];
   return chosen;
 }
 
@@ -111,6 +97,23 @@ cornersOf(const StepOverMesh& mesh, const std::vector<std::uint8_t>& chosen)
       for (const std::uint32_t v : mesh.triangles.triangle(t))
         corners[v] = 1;
   return corners;
+}
+
+/** In how many parts the sides of triangles with edges of \p edge step-overs are cut, first about the ridges found on them, then about
+ *  those found on the finer ones: the two numbers that make the fewest nodes. Triangles reach out of their band by half an edge on either
+ *  side, more or less. */
+std::array<int, 2>
+partsOfSides(double edge)
+{
+  const double whole = std::max(1.0, std::ceil(parts_a_step * edge));
+  const auto nodes = [edge](int first, int parts) {
+    return (first > 1 ? (band_width + edge) * first * first : 0.0) + (band_width + edge / first) * parts * parts;
+  };
+  std::array<int, 2> best{1, static_cast<int>(whole)};
+  for (int first = 2; first <= whole; ++first)
+    if (const auto second = static_cast<int>(std::ceil(whole / first)); nodes(first, first * second) < nodes(best[0], best[0] * best[1]))
+      best = {first, second};
+  return best;
 }
 
 /** Refuse a surface with points too far apart to know its rim and feet: the place farthest from the rims lies less than two and a
@@ -154,6 +157,99 @@ leastLength(const StepOverMesh& mesh, double reserve)
   return sum;
 }
 
+/** Makes the field on a mesh. */
+class FieldMaker {
+public:
+  FieldMaker(StepOverDistance& field, const StepOverOptions& options, const ProgressCallback& progress)
+  : field_(field), options_(options), progress_(progress), edge_(medianEdge(field.mesh))
+  {
+    field_.edge.assign(field_.mesh.size(), static_cast<float>(edge_));
+  }
+
+  Status run(double spacing)
+  {
+    if (!marchOn(field_.mesh, marched_, part(0.1, 0.4)))
+      return cancelled();
+    if (const Status status = checkWidth(field_.mesh, marched_.distance, spacing); !status.ok())
+      return status;
+    const auto [first, second] = partsOfSides(edge_);
+    if (const Status status = cutAboutRidges(first, part(0.4, 0.6)); !status.ok())
+      return status;
+    if (const Status status = cutAboutRidges(second, part(0.6, 1.0)); !status.ok())
+      return status;
+    findRidges();
+    return takeDistances();
+  }
+
+private:
+  static Status cancelled() { return {StatusCode::Cancelled, "cancelled"}; }
+  std::function<bool(double)> part(double from, double to) const { return partOf(progress_, from, to, "step-over field"); }
+  Status cutAboutRidges(int parts, const std::function<bool(double)>& progress);
+  void findRidges();
+  Status takeDistances();
+
+  StepOverDistance& field_;
+  const StepOverOptions& options_;
+  const ProgressCallback& progress_;
+  double edge_; ///< about the ridges, step-overs
+  MarchedDistances marched_;
+  std::vector<std::uint8_t> is_cut_; ///< one a node: 1 where the mesh was cut last; empty if it was not
+};
+
+/** Cut the sides of the triangles about the ridges into \p parts, and measure the distance again behind them. */
+Status
+FieldMaker::cutAboutRidges(int parts, const std::function<bool(double)>& progress)
+{
+  if (parts == 1)
+    return Status::success();
+  StepOverMesh& mesh = field_.mesh;
+  const double known_within = is_cut_.empty() ? edge_ : 0.0; // ridges on the first mesh
+  const std::vector<std::uint8_t> band = ridgeBand(mesh, marched_.distance, band_width + known_within);
+  if (const Status status = checkMeshSize(mesh, band, parts, options_); !status.ok())
+    return status;
+  forgetBehind(mesh, band, marched_);
+  mesh = refined(std::move(mesh), band, parts, is_cut_);
+  field_.edge.resize(mesh.size(), static_cast<float>(edge_));
+  edge_ /= parts;
+  for (std::size_t v = 0; v < mesh.size(); ++v)
+    if (is_cut_[v])
+      field_.edge[v] = static_cast<float>(edge_);
+  return marchOn(mesh, marched_, progress) ? Status::success() : cancelled();
+}
+
+void
+FieldMaker::findRidges()
+{
+  if (is_cut_.empty())
+    is_cut_ = cornersOf(field_.mesh, ridgeBand(field_.mesh, marched_.distance, band_width));
+  field_.mesh = withRidgeEdges(std::move(field_.mesh), marched_, is_cut_);
+  field_.edge.resize(field_.mesh.size(), static_cast<float>(edge_));
+  field_.is_fine = cornersOf(field_.mesh, aboutRidges(field_.mesh, marched_.distance, band_width));
+  for (std::size_t v = 0; v < field_.mesh.size(); ++v)
+    field_.is_fine[v] &= is_cut_[v];
+}
+
+Status
+FieldMaker::takeDistances()
+{
+  field_.distance = std::move(marched_.distance);
+  for (std::size_t v = 0; v < field_.mesh.size(); ++v) {
+    if (!std::isfinite(field_.distance[v]))
+      return {StatusCode::Failed,
+              Diagnostic("the surface is disconnected: no way leads over it from the rim to ", Place(field_.mesh.positions[v]),
+                         ", because parts of the {scan} touch at a single point; {scan it again, more densely}")};
+    field_.largest = std::max(field_.largest, field_.distance[v]);
+  }
+  const std::vector<float> lengths = gradientLengths(field_.mesh, field_.distance);
+  field_.is_weak.resize(lengths.size());
+  for (std::size_t t = 0; t < lengths.size(); ++t) {
+    const auto& corners = field_.mesh.triangles.triangle(t);
+    const bool fine = field_.is_fine[corners[0]] && field_.is_fine[corners[1]] && field_.is_fine[corners[2]];
+    field_.is_weak[t] = !fine && lengths[t] < weak_gradient;
+  }
+  return Status::success();
+}
+
 } // namespace
 
 Status
@@ -172,51 +268,11 @@ measureStepOvers(const Surface& surface, const std::vector<BoundaryLoop>& outlin
 Status
 measureOnMesh(StepOverMesh mesh, double spacing, const StepOverOptions& options, StepOverDistance& field, const ProgressCallback& progress)
 {
-  const Status cancelled{StatusCode::Cancelled, "cancelled"};
-  const auto part = [&progress](double from, double to) { return partOf(progress, from, to, "step-over field"); };
   field = StepOverDistance();
   field.basis = {options.tool_radius, options.scallop_height};
-  field.usual_edge = medianEdge(mesh);
   field.least_length = leastLength(mesh, options.reserve);
   field.mesh = std::move(mesh);
-  MarchedDistances marched;
-  if (!marchOn(field.mesh, marched, part(0.1, 0.4)))
-    return cancelled;
-  if (const Status status = checkWidth(field.mesh, marched.distance, spacing); !status.ok())
-    return status;
-  const std::vector<std::uint8_t> band = ridgeBand(field.mesh, marched.distance, field.usual_edge);
-  const double parts = std::max(1.0, std::ceil(parts_a_step * field.usual_edge));
-  field.cut_edge = field.usual_edge / parts;
-  if (parts > 1.0) {
-    if (const Status status = checkMeshSize(field.mesh, band, static_cast<int>(parts), options); !status.ok())
-      return status;
-    forgetBehind(field.mesh, band, marched);
-    field.mesh = refined(std::move(field.mesh), band, static_cast<int>(parts), field.is_cut);
-    if (!marchOn(field.mesh, marched, part(0.5, 1.0)))
-      return cancelled;
-  }
-  else
-    field.is_cut = cornersOf(field.mesh, band);
-  field.mesh = withRidgeEdges(std::move(field.mesh), marched, field.is_cut);
-  field.is_fine = cornersOf(field.mesh, aboutRidges(field.mesh, marched.distance, field.cut_edge));
-  for (std::size_t v = 0; v < field.mesh.size(); ++v)
-    field.is_fine[v] &= field.is_cut[v];
-  field.distance = std::move(marched.distance);
-  for (std::size_t v = 0; v < field.mesh.size(); ++v) {
-    if (!std::isfinite(field.distance[v]))
-      return {StatusCode::Failed,
-              Diagnostic("the surface is disconnected: no way leads over it from the rim to ", Place(field.mesh.positions[v]),
-                         ", because parts of the {scan} touch at a single point; {scan it again, more densely}")};
-    field.largest = std::max(field.largest, field.distance[v]);
-  }
-  const std::vector<float> lengths = gradientLengths(field.mesh, field.distance);
-  field.is_weak.resize(lengths.size());
-  for (std::size_t t = 0; t < lengths.size(); ++t) {
-    const auto& corners = field.mesh.triangles.triangle(t);
-    const bool fine = field.is_fine[corners[0]] && field.is_fine[corners[1]] && field.is_fine[corners[2]];
-    field.is_weak[t] = !fine && lengths[t] < weak_gradient;
-  }
-  return Status::success();
+  return FieldMaker(field, options, progress).run(spacing);
 }
 
 } // namespace pcl_spiral

@@ -31,6 +31,13 @@ struct TestedTriangle {
   std::array<std::size_t, 3> seeds; ///< segments near its corners
 };
 
+/** Parts of a side of a weak triangle, of a quarter of a step-over at most. */
+std::uint32_t
+partsOf(float edge)
+{
+  return static_cast<std::uint32_t>(std::max(1.0f, std::ceil(4.0f * edge)));
+}
+
 /** Tests in the middle of each part of \p tested. */
 void
 setTests(const StepOverMesh& mesh, const TestedTriangle& tested, CoverTests& tests)
@@ -148,7 +155,6 @@ coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentS
   if (!tests.measure(line, 0, suspect, partOf(progress, 0.0, 0.5, "coverage")))
     return false;
   const std::size_t nodes = tests.size();
-  const auto coarse_parts = static_cast<std::uint32_t>(std::max(1, static_cast<int>(std::ceil(4.0 * field.usual_edge))));
   std::vector<TestedTriangle> tested;
   std::size_t count = nodes;
   const auto test = [&](std::size_t triangle, std::uint32_t parts, const std::array<std::size_t, 3>& seeds) {
@@ -159,7 +165,7 @@ coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentS
     const auto& c = mesh.triangles.triangle(t);
     if (index[c[0]] == none || index[c[1]] == none || index[c[2]] == none) {
       if (field.is_weak[t])
-        test(t, coarse_parts, {none_near, none_near, none_near});
+        test(t, partsOf(std::max({field.edge[c[0]], field.edge[c[1]], field.edge[c[2]]})), {none_near, none_near, none_near});
     }
     else {
       const NearestSegment &a = tests.nearest[index[c[0]]], &b = tests.nearest[index[c[1]]], &d = tests.nearest[index[c[2]]];

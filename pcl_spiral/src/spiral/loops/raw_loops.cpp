@@ -88,7 +88,7 @@ private:
     loop.line.metric.push_back(place.metric);
     loop.uphill.push_back(mesh_.positions[c.above] - mesh_.positions[c.below]);
     loop.is_fine.push_back(field_.is_fine[c.below] && field_.is_fine[c.above]);
-    loop.is_cut.push_back(field_.is_cut[c.below] && field_.is_cut[c.above]);
+    loop.edge.push_back(std::max(field_.edge[c.below], field_.edge[c.above]));
     loop.is_near.push_back(band_.isNear(c.below) || band_.isNear(c.above));
   }
 
@@ -161,11 +161,11 @@ thinSummits(const std::vector<RawLoop>& loops)
 }
 
 ScallopLoop
-finishedLoop(const StepOverDistance& field, const RawLoop& loop)
+finishedLoop(const RawLoop& loop)
 {
   LineGrain grain;
   for (std::size_t i = 0; i < loop.is_fine.size(); ++i) {
-    const double edge = loop.is_fine[i] ? 0.0 : loop.is_cut[i] ? field.cut_edge : field.usual_edge;
+    const double edge = loop.is_fine[i] ? 0.0 : loop.edge[i];
     grain.steps.push_back(std::max(fine_step, coarse_step * edge));
     grain.widths.push_back(std::max(fine_width, coarse_width * edge));
   }

@@ -22,7 +22,7 @@ struct RawLoop {
   ScallopLoop line;
   Polyline uphill;                    ///< one a point: direction to larger distances, mm
   std::vector<std::uint8_t> is_fine;  ///< one a point: within the band about the ridges
-  std::vector<std::uint8_t> is_cut;   ///< one a point: where the mesh was cut
+  std::vector<float> edge;            ///< one a point: the usual edge of the mesh there, step-overs
   std::vector<std::uint8_t> is_near;  ///< one a point: so near to the band that nodes of the band may be nearest to this point
   std::vector<std::uint32_t> summits; ///< that the nodes within it lead to
   bool is_thin = false;               ///< goes only round summits that a finger reaches
@@ -38,7 +38,7 @@ std::vector<RawLoop> traceLoops(const StepOverDistance& field, const RidgeBand& 
 std::unordered_set<std::uint32_t> thinSummits(const std::vector<RawLoop>& loops);
 
 /** \p loop without the zigzag of the mesh. */
-ScallopLoop finishedLoop(const StepOverDistance& field, const RawLoop& loop);
+ScallopLoop finishedLoop(const RawLoop& loop);
 
 /** Add the parts of \p loop that are near the band to \p set. */
 void addNearRuns(const ScallopLoop& loop, const std::vector<std::uint8_t>& is_near, std::size_t label, SegmentSet& set);

@@ -316,7 +316,7 @@ LoopMaker::drawnLevel(int k, const std::vector<RawLoop>& below, const std::vecto
       break;
   }
   for (const RawLoop& loop : loops)
-    level.loops.push_back(finishedLoop(field_, loop));
+    level.loops.push_back(finishedLoop(loop));
   return level;
 }
 
