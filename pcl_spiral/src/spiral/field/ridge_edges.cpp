@@ -44,12 +44,12 @@ public:
   }
 
 private:
-  /** Gradient of the distance, a mm, in the triangle or along the edge through which the front came to node \p v; zero on rims. */
+  bool isOnRim(std::uint32_t v) const { return marched_.over[v][0] == none; }
+
+  /** Gradient of the distance, a mm, in the triangle or along the edge through which the front came to node \p v. */
   Eigen::Vector3d frontAt(std::uint32_t v) const
   {
     const auto [i, j] = marched_.over[v];
-    if (i == none)
-      return Eigen::Vector3d::Zero();
     const Eigen::Vector3d a = mesh_.positions[v] - mesh_.positions[i];
     const double rise = marched_.distance[v] - marched_.distance[i];
     if (i == j) { // uphill in the metric G the gradient is along G a
@@ -107,7 +107,7 @@ private:
   /** Share of the edge from \p a to \p b at which the fronts of its ends are equally far; 0 if no ridge crosses it. */
   double crossingOn(std::uint32_t a, std::uint32_t b) const
   {
-    if (!may_cross_[a] || !may_cross_[b])
+    if (!may_cross_[a] || !may_cross_[b] || isOnRim(a) || isOnRim(b)) // no front came to a rim
       return 0.0;
     const Eigen::Vector3d edge = mesh_.positions[b] - mesh_.positions[a];
     const double from_a = frontAt(a).dot(edge), from_b = frontAt(b).dot(edge), change = from_a - from_b;
