@@ -19,8 +19,9 @@ try {
   sections.setInputMesh(file.mesh);
   sections.setPlaneNormal({0.0, 1.0, 0.0});      // rows along x
   sections.setRows(pcl_spiral::DriveRows::Kept); // as close as the scallop height needs
-  sections.setScallop(5.0, 0.01);                // mm: radius of the ball, height of the ridges
-  sections.setChordError(0.001);                 // mm
+  sections.setToolRadius(5.0);
+  sections.setScallopHeight(0.01); // mm: radius of the ball, height of the ridges
+  sections.setChordError(0.001);   // mm
   sections.setLinkRows(true);
   sections.setFacing(true); // leaves out what faces away from the tool axis
   pcl_spiral::DrivePasses passes;

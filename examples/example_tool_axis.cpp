@@ -34,6 +34,6 @@ main(int argc, char** argv)
                 std::acos(std::min(1.0f, out[i].axis_z)) * 180.0 / M_PI);
   const pcl_spiral::AxisField& field = tool_axis.getField();
   std::printf("%zu of %zu points over %g degrees off the tilt; largest change %.3f degrees, rate %.3f a mm\n", field.getDeviatingPoints(),
-              out.size(), field.getMaxDeviation(), field.getLargestAxisChange(), field.getLargestAxisRate());
+              out.size(), field.getAxisDeviation(), field.getLargestAxisChange(), field.getLargestAxisRate());
   return 0;
 }

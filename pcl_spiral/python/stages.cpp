@@ -137,7 +137,7 @@ boundaryLoops(const ShiftedSurface& surface, const py::dict& given)
   StageCall call("boundary_loops", given, surface.shift);
   const auto stage = std::make_shared<BoundaryLoops<Point>>();
   stage->setInputSurface(surface.value);
-  stage->setMinHoleWidth(call.settings.hole_size);
+  stage->setHoleSize(call.settings.hole_size);
   return shifted(call.made<std::vector<BoundaryLoop>>(stage), surface.shift);
 }
 

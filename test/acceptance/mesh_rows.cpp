@@ -38,7 +38,8 @@ judgeMeshRows(const Options& options)
   MeshSections sections;
   sections.setInputMesh(gridMesh(*surface, {100, 100}, 49).polygons());
   sections.setChordError(chord_error);
-  sections.setScallop(radius, height);
+  sections.setToolRadius(radius);
+  sections.setScallopHeight(height);
   sections.setStepOver(2.0 * std::sqrt((2.0 * radius - height) * height)); // equation (4)
   sections.setLinkRows(true);
   Table table("ridges between rows of sections on the landform, ball 5 mm, scallop 0.01 mm");

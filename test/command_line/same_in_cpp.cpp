@@ -302,7 +302,8 @@ TEST_F(SameInCpp, DriveBesideAKeepOutWithAHolder)
   planner.setInputCloud(readCloud(folder_.path("scan.xyz")).cloud);
   planner.setPartAt(on_left);
   planner.addKeepOut(polygon("keep.txt"));
-  planner.setScallop(CutterShape::ball(4.0, 30.0), 0.1);
+  planner.setCutter(CutterShape::ball(4.0, 30.0));
+  planner.setScallopHeight(0.1);
   planner.setRows(DriveRows::Kept);
   planner.setHolder({ToolSegment::cylinder(6.0, 40.0, "shank"), {20.0, 25.0, 60.0, "chuck"}});
   PassSettings settings;

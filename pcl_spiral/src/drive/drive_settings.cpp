@@ -81,7 +81,7 @@ checkRows(const DriveSettings& s)
   const double radius = s.cutter ? s.cutter->radius : 0.0;
   if (!isPositive(radius) || !(s.scallop_height > 0.0 && s.scallop_height < radius))
     return bad(Diagnostic("for rows kept to a scallop height the cutter's radius is ", radius, " {mm} and the scallop height ",
-                          s.scallop_height, " {mm}; set both above 0, and the height below the radius ({setScallop})"));
+                          s.scallop_height, " {mm}; set both above 0, and the height below the radius ({setScallopHeight})"));
   return Status::success();
 }
 
@@ -95,7 +95,7 @@ settingTable(DriveSettings& s)
       Setting("step_over", "setStepOver", "step-over", "largest distance between neighbouring passes", "1", s.step_over)
           .in("mm", NumberRange::from(0.0))
           .writtenBy("step-over"),
-      Setting("scallop", "setScallop", "scallop height",
+      Setting("scallop", "setScallopHeight", "scallop height",
               "largest height of the ridge left between passes, on slopes too; refused, with the height that is reached, where the passes "
               "leave more",
               "0.02", s.scallop_height)

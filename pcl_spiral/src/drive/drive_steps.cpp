@@ -35,7 +35,7 @@ checkDriveSize(double points, double crossings, const DriveSettings& settings)
                      "; is the part in another unit than {mm} ({ReadOptions::unit})? Otherwise raise ",
                      (settings.kind == DriveKind::Curve ? Diagnostic()
                       : settings.rows == DriveRows::Kept
-                          ? Diagnostic("the scallop height, now ", settings.scallop_height, " {mm} ({setScallop}), or ")
+                          ? Diagnostic("the scallop height, now ", settings.scallop_height, " {mm} ({setScallopHeight}), or ")
                           : Diagnostic("the step-over, now ", settings.step_over, " {mm} ({setStepOver}), or ")),
                      "the spacing of points, now ", settings.point_spacing, " {mm} ({setPointSpacing})")};
 }

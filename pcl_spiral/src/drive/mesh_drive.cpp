@@ -75,7 +75,8 @@ planMeshSections(const SurfaceMesh::ConstPtr& mesh, const DriveSettings& setting
   sections.setAxis(settings.axis);
   sections.setStepOver(settings.step_over);
   sections.setRows(settings.rows);
-  sections.setScallop(settings.cutter ? settings.cutter->radius : 0.0, settings.scallop_height);
+  sections.setToolRadius(settings.cutter ? settings.cutter->radius : 0.0);
+  sections.setScallopHeight(settings.scallop_height);
   sections.setChordError(settings.chord_error);
   sections.setPointSpacing(settings.point_spacing);
   sections.setZigzag(settings.zigzag);

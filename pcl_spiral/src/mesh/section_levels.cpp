@@ -53,7 +53,7 @@ checkSize(const SurfaceMesh& mesh, const SectionSettings& settings, double step)
           Diagnostic("the sections asked for are too large: about ", contacts, " contacts and ", bytes / 1e9, " GB of memory; at most ",
                      most_contacts, " contacts are allowed", (memory ? Diagnostic(" and ", *memory / 1e9, " GB are free") : Diagnostic()),
                      ": is the mesh in another unit than {mm} ({ReadOptions::unit})? Otherwise put rows farther apart, now ", step,
-                     " {mm} ({setStepOver}, {setScallop}), or contacts ({setPointSpacing})")};
+                     " {mm} ({setStepOver}, {setScallopHeight}), or contacts ({setPointSpacing})")};
 }
 
 /** What each face allows for the rows across it: the least of its corners. */

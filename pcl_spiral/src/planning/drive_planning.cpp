@@ -52,7 +52,8 @@ chooseScan(const DrivePlanInput& input, const PartChoice& choice, const Progress
   if (const Status status = makePartSurface(settings, partOf(progress, 0.0, scan_share), plan); !status.ok())
     return status;
   clock.end("surface");
-  if (const Status status = heedClusters(settings, input.tool.cutter.corner_radius, partOf(progress, 0.0, scan_share), plan); !status.ok())
+  if (const Status status = applyClusterHandling(settings, input.tool.cutter.corner_radius, partOf(progress, 0.0, scan_share), plan);
+      !status.ok())
     return status;
   if (const DriveAxisMode mode = input.drive.axisMode(); mode == DriveAxisMode::Surface || mode == DriveAxisMode::LocalPlane)
     for (Diagnostic& warning : sideWarnings(plan.side))

@@ -71,7 +71,7 @@ makePartSurface(const SurfaceSettings& settings, const ProgressCallback& progres
 }
 
 Status
-heedClusters(const SurfaceSettings& settings, double corner_radius, const ProgressCallback& progress, PassPlan& plan)
+applyClusterHandling(const SurfaceSettings& settings, double corner_radius, const ProgressCallback& progress, PassPlan& plan)
 {
   if (!plan.surface || plan.surface->clusters().empty())
     return Status::success();

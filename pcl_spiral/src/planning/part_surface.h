@@ -17,6 +17,6 @@ Status makePartSurface(const SurfaceSettings& settings, const ProgressCallback& 
 
 /** Refuses clusters that stand on the surface of \p plan, with ClusterHandling::LeaveOut removes them from its points and makes the surface
  *  again, and warns of those that stay, which a cutter with the corner radius \p corner_radius rides over. */
-Status heedClusters(const SurfaceSettings& settings, double corner_radius, const ProgressCallback& progress, PassPlan& plan);
+Status applyClusterHandling(const SurfaceSettings& settings, double corner_radius, const ProgressCallback& progress, PassPlan& plan);
 
 } // namespace pcl_spiral

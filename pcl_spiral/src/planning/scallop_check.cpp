@@ -126,7 +126,7 @@ remedyOf(const DrivePlanInput& input, const PassPlan& plan)
   const bool can_keep = input.drive.kind == DriveKind::Planes && input.drive.rows == DriveRows::Even && !input.mesh &&
                         input.drive.axisMode() != DriveAxisMode::Cylinder;
   return Diagnostic(can_keep ? "use {setRows} kept" : "take a cutter with a smaller radius", ", or give {setStepOver} ",
-                    plan.drive.step_over, " instead of {setScallop}, which promises no height");
+                    plan.drive.step_over, " instead of {setScallopHeight}, which promises no height");
 }
 
 /** Whether rows are even or kept over all of a scan, and nothing else says what they leave out. */
@@ -179,8 +179,8 @@ checkScallop(const DrivePlanInput& input, PassPlan& plan)
   if (over == 0)
     return Status::success();
   const double share = static_cast<double>(over) / static_cast<double>(met);
-  const Diagnostic said("the passes leave more than the {setScallop} of ", scallop, " {mm} on ", 100.0 * share, " % of the surface, up to ",
-                        left[worst], " {mm} at ", Place(places[worst].x));
+  const Diagnostic said("the passes leave more than the {setScallopHeight} of ", scallop, " {mm} on ", 100.0 * share,
+                        " % of the surface, up to ", left[worst], " {mm} at ", Place(places[worst].x));
   if (share > ignored_share)
     return {StatusCode::Failed, Diagnostic(said, ": ", remedyOf(input, plan), uncut.empty() ? uncut : "; " + uncut)};
   plan.warnings.push_back(Diagnostic(said, ": check this place"));

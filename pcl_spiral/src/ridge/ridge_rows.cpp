@@ -32,15 +32,16 @@ checkSettings(const RidgeRowSettings& s)
   if (told != 1)
     return invalid(Diagnostic(
         told == 0 ? "no setting defines" : "more than one setting defines",
-        " how far rows are apart: set the step-over ({setStepOver}), or the spot ({setSpot}), or ball and scallop height ({setScallop})"));
+        " how far rows are apart: set the step-over ({setStepOver}), or the spot ({setSpot}), or ball and scallop height ({setToolRadius}, "
+        "{setScallopHeight})"));
   if (const Diagnostic fault = rangeFault(s); !fault.empty())
     return invalid(fault);
   if (!(s.tool_radius >= 0.0 && s.tool_radius <= longest_ridge_setting))
     return invalid(
-        Diagnostic("the tool radius is ", s.tool_radius, " {mm}: set it from 0 to ", longest_ridge_setting, " {mm} ({setScallop})"));
+        Diagnostic("the tool radius is ", s.tool_radius, " {mm}: set it from 0 to ", longest_ridge_setting, " {mm} ({setToolRadius})"));
   if (s.tool_radius > 0.0 && !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
     return invalid(Diagnostic("the scallop height is ", s.scallop_height, " {mm}: set it above 0 and below the tool radius, ",
-                              s.tool_radius, " {mm} ({setScallop})"));
+                              s.tool_radius, " {mm} ({setScallopHeight})"));
   return Status::success();
 }
 
@@ -76,7 +77,7 @@ settingTable(RidgeRowSettings& s)
       Setting("step_over", "setStepOver", "step-over", "largest distance between neighbouring rows", "1", s.step_over)
           .in("mm", length)
           .writtenBy("step-over"),
-      Setting("scallop", "setScallop", "scallop height", "largest ridge height that a ball may leave between rows", "0.02",
+      Setting("scallop", "setScallopHeight", "scallop height", "largest ridge height that a ball may leave between rows", "0.02",
               s.scallop_height)
           .in("mm", length)
           .writtenBy("scallop"),
@@ -97,8 +98,8 @@ settingTable(RidgeRowSettings& s)
       Setting("stand_off", "setStandOff", "stand-off", "distance of a beam's tip from the surface, along the normal", "10", s.stand_off)
           .in("mm", length)
           .withRemedy("for the other side of the ridge flip the normals ({setFlipNormals})"),
-      Setting("lead", "setLead", "lead angle", "lead of the tool axis, forward along the row", "5", s.lead).in("degrees", angle),
-      Setting("tilt", "setTilt", "tilt angle", "tilt of the tool axis, to the right of travel", "5", s.tilt).in("degrees", angle),
+      Setting("lead", "setLeadAngle", "lead angle", "lead of the tool axis, forward along the row", "5", s.lead).in("degrees", angle),
+      Setting("tilt", "setTiltAngle", "tilt angle", "tilt of the tool axis, to the right of travel", "5", s.tilt).in("degrees", angle),
       Setting("run_in", "setRunIn", "run-in",
               "each row begins this far before the ridge, on a straight line; the code for the begin of a pass comes before it", "3",
               s.run_in)

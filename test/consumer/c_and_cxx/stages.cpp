@@ -113,7 +113,7 @@ spiralIsRight(const ScannerCloud::Ptr& dome, double radius)
   pcl_spiral::ToolAxis tool_axis;
   tool_axis.setInputPath(path);
   tool_axis.setTiltAngle(0.0);
-  tool_axis.setSmoothingLength(0.0);
+  tool_axis.setAxisSmoothing(0.0);
   pcl_spiral::ToolAxis::Path upright;
   tool_axis.compute(upright);
   right = upright.size() == path->size();

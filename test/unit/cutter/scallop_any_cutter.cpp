@@ -121,7 +121,8 @@ expectScallop(const char* name, const AnalyticSurface& surface, const std::vecto
 {
   const Driven run = driven(scan, [&](Drive& drive) {
     drive.setRows(DriveRows::Kept);
-    drive.setScallop(cutter, height);
+    drive.setCutter(cutter);
+    drive.setScallopHeight(height);
     drive.setPlaneDirection(direction);
     drive.setPointSpacing(2.0);
   });

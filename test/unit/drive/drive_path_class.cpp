@@ -73,7 +73,8 @@ TEST(DrivePath, KeptAndLinkedRowsAreTheSameForAnyOrderAndThreads)
   const auto set = [](unsigned int threads, double height) {
     return [=](Drive& drive) {
       drive.setRows(DriveRows::Kept);
-      drive.setScallop(5.0, height);
+      drive.setToolRadius(5.0);
+      drive.setScallopHeight(height);
       drive.setLinkRows(true);
       drive.setNumberOfThreads(threads);
     };
@@ -190,15 +191,16 @@ TEST(DrivePath, RefusesWhatCannotBe)
     return [=](Drive& d) {
       d.setStepOver(1.0);
       d.setRows(DriveRows::Kept);
-      d.setScallop(radius, height);
+      d.setToolRadius(radius);
+      d.setScallopHeight(height);
       d.setKind(kind);
       d.setAxisMode(mode);
     };
   };
   refused(plate, kept(0.0, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "the cutter's radius is 0 mm");
-  refused(plate, kept(nan, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "setScallop");
+  refused(plate, kept(nan, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "setScallopHeight");
   refused(plate, kept(3.0, 3.0, DriveKind::Planes, DriveAxisMode::Fixed), "the height below the radius");
-  refused(plate, kept(3.0, nan, DriveKind::Planes, DriveAxisMode::Fixed), "setScallop");
+  refused(plate, kept(3.0, nan, DriveKind::Planes, DriveAxisMode::Fixed), "setScallopHeight");
   refused(plate, kept(3.0, 0.01, DriveKind::BoundaryOffset, DriveAxisMode::Fixed), "only section planes can keep rows");
   refused(plate, kept(3.0, 0.01, DriveKind::Planes, DriveAxisMode::Cylinder), "not to a cylinder");
   refused(plate, kept(3.0, 1e-15, DriveKind::Planes, DriveAxisMode::Fixed), "raise the scallop height");

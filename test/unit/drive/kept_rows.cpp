@@ -66,7 +66,8 @@ TEST(KeptRows, LeaveTheScallopOnAScanOfTheLandform)
     for (const DriveRows rows : {DriveRows::Even, DriveRows::Kept}) {
       const Driven run = driven(scan, [&](Drive& drive) {
         drive.setRows(rows);
-        drive.setScallop(radius, height);
+        drive.setToolRadius(radius);
+        drive.setScallopHeight(height);
         drive.setStepOver(2.0 * std::sqrt((2.0 * radius - height) * height));
         drive.setPlaneDirection(direction);
         drive.setPointSpacing(0.5);
@@ -97,7 +98,8 @@ TEST(KeptRows, AreHardlyMoreUnderNoise)
     addNoise(scan, sigma, 5);
     const Driven run = driven(scan.points, [&](Drive& drive) {
       drive.setRows(DriveRows::Kept);
-      drive.setScallop(radius, height);
+      drive.setToolRadius(radius);
+      drive.setScallopHeight(height);
     });
     std::printf("  noise %.3f mm: %zu rows, %.4f to %.4f mm\n", sigma, run.report.rows, run.report.smallest_step, run.report.step_over);
     EXPECT_LE(static_cast<double>(run.report.rows), 1.12 * 159.0);
@@ -118,7 +120,8 @@ TEST(KeptRows, AreHeldOnWallsAlongThePlanesAndSaySo)
   for (const double direction : {0.0, 90.0}) {
     const Driven run = driven(scan, [&](Drive& drive) {
       drive.setRows(DriveRows::Kept);
-      drive.setScallop(0.5, height);
+      drive.setToolRadius(0.5);
+      drive.setScallopHeight(height);
       drive.setPlaneDirection(direction);
     });
     if (direction > 0.0) {

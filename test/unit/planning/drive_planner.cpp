@@ -304,10 +304,12 @@ TEST(DrivePlanner, ACutterThatIsNoneIsRefused)
   EXPECT_NE(planner.getStatus().message().find("setCutter"), std::string::npos) << planner.getStatus().message();
   CutterShape wrong = CutterShape::ball(4.0);
   wrong.corner_radius = 5.0;
-  planner.setScallop(wrong, 0.05);
+  planner.setCutter(wrong);
+  planner.setScallopHeight(0.05);
   planner.compute(passes);
   EXPECT_EQ(planner.getStatus().code(), StatusCode::InvalidArgument) << planner.getStatus().message();
-  planner.setScallop(CutterShape::ball(4.0), 0.05); // the step-over follows
+  planner.setCutter(CutterShape::ball(4.0));
+  planner.setScallopHeight(0.05); // the step-over follows
   planner.compute(passes);
   EXPECT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
   EXPECT_GT(passes.size(), 20U);

@@ -101,7 +101,8 @@ column()
 const auto planes = [](Drive& d) { d.setKind(DriveKind::Planes); };
 const auto even = [](Drive& d) { d.setRows(DriveRows::Even); };
 const auto kept = [](Drive& d) {
-  d.setScallop(3.0, 0.05);
+  d.setToolRadius(3.0);
+  d.setScallopHeight(0.05);
   d.setRows(DriveRows::Kept);
 };
 
@@ -146,15 +147,29 @@ TEST(DriveRemedies, Contradictions)
       onPlate("one-way rows begin far from", [](Drive& d) { d.setZigzag(false), d.setLinkRows(true); },
               {{"setZigzag", [](Drive& d) { d.setZigzag(true); }}, {"setLinkRows", unlinked}}),
       over(disc, "only section planes can keep rows to a scallop height", [&](Drive& d) { kept(d), offset(d); },
-           {{"setKind", planes}, {"setRows", [](Drive& d) { d.setRows(DriveRows::Even), d.setScallop(3.0, 0.0); }}}),
+           {{"setKind", planes},
+            {"setRows",
+             [](Drive& d) {
+               d.setRows(DriveRows::Even), d.setToolRadius(3.0);
+               d.setScallopHeight(0.0);
+             }}}),
       over(tube, "not to a cylinder",
            [](Drive& d) {
              kept(d), d.setAxisMode(DriveAxisMode::Cylinder), d.setCylinder(DriveCylinder{Vector3d::Zero(), Vector3d::UnitY()});
            },
            {{"setAxisMode", [](Drive& d) { d.setAxisMode(DriveAxisMode::Surface); }},
-            {"setRows", [](Drive& d) { even(d), d.setScallop(3.0, 0.0); }}}),
-      onPlate("for rows kept to a scallop height", [](Drive& d) { d.setScallop(3.0, 5.0), d.setRows(DriveRows::Kept); },
-              {{"setScallop", [](Drive& d) { d.setScallop(3.0, 0.05); }}}),
+            {"setRows",
+             [](Drive& d) {
+               even(d), d.setToolRadius(3.0);
+               d.setScallopHeight(0.0);
+             }}}),
+      onPlate("for rows kept to a scallop height",
+              [](Drive& d) { d.setToolRadius(3.0), d.setScallopHeight(5.0), d.setRows(DriveRows::Kept); },
+              {{"setScallopHeight",
+                [](Drive& d) {
+                  d.setToolRadius(3.0);
+                  d.setScallopHeight(0.05);
+                }}}),
       onMesh("offsets of the boundary run over the points of a scan", offset,
              {{"setKind", planes}, {"setInputCloud", [](Drive& d) { d.setInputCloud(plate(10.0)); }}}),
       onMesh("leave it on",
@@ -182,11 +197,13 @@ TEST(DriveRemedies, Input)
 TEST(DriveRemedies, Scallop)
 {
   const auto groove = [] { return valley(0.9, 3.5, 9.0, 9.0).scan(0.5, 0.0, 11); };
-  const auto instead = [](Drive& d, const Diagnostic& said) { d.setScallop(3.0, 0.0), d.setStepOver(said.numbers().at(3)); };
+  const auto instead = [](Drive& d, const Diagnostic& said) {
+    d.setToolRadius(3.0), d.setScallopHeight(0.0), d.setStepOver(said.numbers().at(3));
+  };
   expectNoFaults({
-      over(groove, "the passes leave more than the {setScallop}",
-           [](Drive& d) { d.setStepOver(0.0), d.setScallop(3.0, 0.02), d.setPlaneDirection(90.0); },
-           {{"setRows", [](Drive& d) { d.setRows(DriveRows::Kept); }}, {"setStepOver", instead}, {"setScallop", instead}}),
+      over(groove, "the passes leave more than the {setScallopHeight}",
+           [](Drive& d) { d.setStepOver(0.0), d.setToolRadius(3.0), d.setScallopHeight(0.02), d.setPlaneDirection(90.0); },
+           {{"setRows", [](Drive& d) { d.setRows(DriveRows::Kept); }}, {"setStepOver", instead}, {"setScallopHeight", instead}}),
   });
 }
 

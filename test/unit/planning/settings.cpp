@@ -242,7 +242,11 @@ TEST(settings, everySetterOfPassesThroughTheirBase)
       {"setZigzag", [](Base& c, const DriveSettings& s) { c.setZigzag(s.zigzag); }},
       {"setAxis", [](Base& c, const DriveSettings& s) { c.setAxis(s.axis); }},
       {"setAxisMode", [](Base& c, const DriveSettings& s) { c.setAxisMode(*s.axis_mode); }},
-      {"setScallop", [](Base& c, const DriveSettings& s) { c.setScallop(6.0, s.scallop_height); }},
+      {"setScallopHeight",
+       [](Base& c, const DriveSettings& s) {
+         c.setToolRadius(6.0);
+         c.setScallopHeight(s.scallop_height);
+       }},
   };
   expectAll(setters, DriveSettings(), {});
   expectOwn<DrivePath<Point>>(setters);

@@ -113,7 +113,7 @@ TEST(RidgeToolpath, RowsRunToAndFroWithNormalsOfTheSurface)
   ridge.setStandOff(10.0);
   ridge.setRunIn(5.0);
   ridge.setRunOut(3.0);
-  ridge.setLead(10.0);
+  ridge.setLeadAngle(10.0);
   const DrivePasses rows = rowsOf(ridge);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const DrivePoints& points = rows[k].points;
@@ -136,7 +136,8 @@ TEST(RidgeToolpath, ABallLeavesNoHigherRidgesThanAsked)
   const double radius = 6.0, height = 0.02;
   for (const RidgeDirection direction : {RidgeDirection::AlongRail, RidgeDirection::AcrossRail}) {
     auto ridge = overDie();
-    ridge.setScallop(radius, height);
+    ridge.setToolRadius(radius);
+    ridge.setScallopHeight(height);
     ridge.setPointSpacing(0.2);
     ridge.setDirection(direction);
     const DrivePasses rows = rowsOf(ridge);
@@ -189,7 +190,7 @@ TEST(RidgeToolpath, RingsOfRowsAreClosed)
   ridge.setInputGenerator(cloudOf(exact.generatorPoints(0.2, 80)));
   ridge.setStepOver(4.0);
   ridge.setRunIn(5.0);
-  ridge.setLead(20.0);
+  ridge.setLeadAngle(20.0);
   for (const DrivePass& row : rowsOf(ridge)) {
     EXPECT_TRUE(row.closed);
     for (std::size_t i = 0; i < row.points.size(); ++i) { // the axis has the same lead all round, also over the seam
@@ -232,11 +233,12 @@ TEST(RidgeToolpath, RefusesWhatCannotBe)
   refused(
       [](Ridge& r) {
         r.setStepOver(0.0);
-        r.setScallop(6.0, 6.0);
+        r.setToolRadius(6.0);
+        r.setScallopHeight(6.0);
       },
       "the scallop height is 6");
   refused([](Ridge& r) { r.setPointSpacing(0.0); }, "the spacing of points is 0");
-  refused([](Ridge& r) { r.setLead(90.0); }, "the lead angle is 90 degrees");
+  refused([](Ridge& r) { r.setLeadAngle(90.0); }, "the lead angle is 90 degrees");
   refused([](Ridge& r) { r.setRunIn(-1.0); }, "run-in");
   refused([](Ridge& r) { r.setRunOut(1e12); }, "run-out");
   refused([](Ridge& r) { r.setStepOver(std::numeric_limits<double>::infinity()); }, "step-over");
@@ -247,7 +249,8 @@ TEST(RidgeToolpath, RefusesWhatCannotBe)
       [](Ridge& r) {
         r.setFlipNormals(true);
         r.setStepOver(0.0);
-        r.setScallop(60.0, 0.02);
+        r.setToolRadius(60.0);
+        r.setScallopHeight(0.02);
       },
       "the ridge is hollow with radius");
 }

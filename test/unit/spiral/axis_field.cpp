@@ -443,7 +443,7 @@ TEST(AxisField, SmoothsThePathAndReports)
   AxisField field;
   EXPECT_EQ(field.getStatus().code(), StatusCode::NotComputed);
   field.setInputPath(cloud);
-  field.setSmoothingLength(20.0);
+  field.setAxisSmoothing(20.0);
   field.setMaxAxisRate(6.0);
   pcl::PointCloud<ToolpathPoint> out;
   field.compute(out);
@@ -491,12 +491,12 @@ TEST(AxisField, SaysWhatIsWrong)
   (*bad)[6].getAxisVector3fMap().setZero();
   EXPECT_NE(said(bad).find("point 6 has no axis"), std::string::npos);
   const auto good = toCloud(sphereSpiral(0.4, 3.0));
-  field.setSmoothingLength(-1.0);
+  field.setAxisSmoothing(-1.0);
   EXPECT_NE(said(good).find("-1 mm"), std::string::npos);
-  field.setSmoothingLength(10.0);
-  field.setMaxDeviation(0.0);
+  field.setAxisSmoothing(10.0);
+  field.setAxisDeviation(0.0);
   EXPECT_NE(said(good).find("deviation is 0"), std::string::npos);
-  field.setMaxDeviation(2.0);
+  field.setAxisDeviation(2.0);
   field.setMaxAxisRate(-2.0);
   EXPECT_NE(said(good).find("-2 degrees per mm"), std::string::npos);
 }

@@ -158,7 +158,7 @@ TEST(ToolAxisClass, SetsAxesAndReports)
   tool_axis.setInputPath(path);
   tool_axis.setTiltAngle(-20.0);
   tool_axis.setMaxAxisRate(6.0);
-  tool_axis.setSmoothingLength(0.0);
+  tool_axis.setAxisSmoothing(0.0);
   pcl::PointCloud<ToolpathPoint> out;
   tool_axis.compute(out);
   ASSERT_TRUE(tool_axis.getStatus().ok()) << tool_axis.getStatus().message();
@@ -197,9 +197,9 @@ TEST(ToolAxisClass, SaysWhatIsWrong)
   tool_axis.setTiltAngle(90.0);
   EXPECT_EQ(code(good), StatusCode::InvalidArgument);
   tool_axis.setTiltAngle(15.0);
-  tool_axis.setSmoothingLength(-1.0);
+  tool_axis.setAxisSmoothing(-1.0);
   EXPECT_EQ(code(good), StatusCode::InvalidArgument);
-  tool_axis.setSmoothingLength(0.0);
+  tool_axis.setAxisSmoothing(0.0);
   tool_axis.setMaxAxisRate(-1.0);
   EXPECT_EQ(code(good), StatusCode::InvalidArgument);
 }

@@ -67,7 +67,7 @@ public:
   const Eigen::Vector3d& getPlaneDirection() const { return settings_.plane_direction; }
 
   /** How planes are spaced; DriveRows::Even by default. DriveRows::Kept, for Kind::Planes: as few planes as possible, so
-   *  that the cutter of setScallop leaves no ridge above the scallop height between two planes, from slope and curvature
+   *  that the cutter leaves no ridge above the scallop height between two planes, from slope and curvature
    *  of the fitted surface. Steps never go below a quarter of the step of a ball with the cutter's corner radius r on a plane,
    *  2 sqrt((2 r - h) h), or of h if the corner is sharp; a warning reports where less would be needed, as on walls along the
    *  planes. \see rowDistance, profileRowDistance, rowLevels */
@@ -76,17 +76,23 @@ public:
   /** The cutter that follows the passes. With it, planes and their passes over a scan with AxisMode::Fixed go on beyond a rim that
    *  falls away, until the cutter touches the surface at the rim. Without it, contacts end inside such a rim, a ball's by R sin(slope). */
   void setCutter(const CutterShape& cutter) { settings_.cutter = cutter; }
-  const std::optional<CutterShape>& getCutter() const { return settings_.cutter; } ///< The value of setCutter or setScallop.
-  /** Cutter, see setCutter, and scallop \p height for DriveRows::Kept, mm. Must be set for it. On a mesh only a ball keeps rows. */
-  void setScallop(const CutterShape& cutter, double height)
-  {
-    settings_.cutter = cutter;
-    settings_.scallop_height = height;
-  }
+  const std::optional<CutterShape>& getCutter() const { return settings_.cutter; } ///< The value of setCutter or setToolRadius.
   /** The same for a ball of \p radius, mm. */
-  void setScallop(double radius, double height) { setScallop(CutterShape::ball(radius), height); }
+  void setToolRadius(double radius) { setCutter(CutterShape::ball(radius)); }
+  /** Scallop height for DriveRows::Kept, mm. Must be set for it, as the cutter must. On a mesh only a ball keeps rows. */
+  void setScallopHeight(double height) { settings_.scallop_height = height; }
+  /** \deprecated Use setCutter and setScallopHeight. */
+  [[deprecated("use setCutter and setScallopHeight")]] void setScallop(const CutterShape& cutter, double height)
+  {
+    setCutter(cutter), setScallopHeight(height);
+  }
+  /** \deprecated Use setToolRadius and setScallopHeight. */
+  [[deprecated("use setToolRadius and setScallopHeight")]] void setScallop(double radius, double height)
+  {
+    setToolRadius(radius), setScallopHeight(height);
+  }
   double getToolRadius() const { return settings_.cutter ? settings_.cutter->radius : 0.0; } ///< The cutter's radius, mm; 0 without one.
-  double getScallopHeight() const { return settings_.scallop_height; }                       ///< The height of setScallop, mm.
+  double getScallopHeight() const { return settings_.scallop_height; }                       ///< The value of setScallopHeight.
 
   /** Whether rows of planes in zigzag are joined on the surface to one pass. This is done if the next row begins within two
    *  step-overs of the end of this row, and the straight way between is over the scan and crosses no gap. False by default. */

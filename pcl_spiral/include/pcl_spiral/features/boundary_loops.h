@@ -52,8 +52,10 @@ public:
 
   /** Least width of a real hole, its largest extent, mm. If set, holes that are too narrow to stay open between triangles are
    *  found too. 0, the default: the length decides. */
-  void setMinHoleWidth(double width) { options_.min_hole_width = width; }
-  double getMinHoleWidth() const { return options_.min_hole_width; } ///< The value of setMinHoleWidth.
+  void setHoleSize(double width) { options_.min_hole_width = width; }
+  /** \deprecated Renamed setHoleSize. */
+  [[deprecated("use setHoleSize")]] void setMinHoleWidth(double width) { setHoleSize(width); }
+  double getHoleSize() const { return options_.min_hole_width; } ///< The value of setHoleSize.
 
   /** Width, in spacings, up to which a hole is a gap in the data if no least length is set; 15 by default. */
   void setLargestGap(double spacings) { options_.largest_gap = spacings; }

@@ -104,19 +104,22 @@ public:
   void setStepOver(double step) { settings_.step_over = step; }
   double getStepOver() const { return settings_.step_over; } ///< The value of setStepOver.
 
-  /** How planes are spaced; DriveRows::Even by default. DriveRows::Kept: as few planes as possible, so that the ball of setScallop leaves
+  /** How planes are spaced; DriveRows::Even by default. DriveRows::Kept: as few planes as possible, so that the ball leaves
    *  no ridge above the scallop height between two planes, from slope and curvature. The step-over has no effect. Steps never go below
    *  a quarter of (4); a warning reports where less would be needed, as on walls along the planes. \see rowDistance, rowLevels */
   void setRows(DriveRows rows) { settings_.rows = rows; }
   DriveRows getRows() const { return settings_.rows; } ///< The value of setRows.
-  /** Ball radius and scallop \p height for DriveRows::Kept, mm. Must be set for it. */
-  void setScallop(double radius, double height)
+  /** Radius of the ball for DriveRows::Kept, mm. Must be set for it. */
+  void setToolRadius(double radius) { settings_.tool_radius = radius; }
+  double getToolRadius() const { return settings_.tool_radius; } ///< The value of setToolRadius.
+  /** Scallop height for DriveRows::Kept, mm. Must be set for it. */
+  void setScallopHeight(double height) { settings_.scallop_height = height; }
+  double getScallopHeight() const { return settings_.scallop_height; } ///< The value of setScallopHeight.
+  /** \deprecated Use setToolRadius and setScallopHeight. */
+  [[deprecated("use setToolRadius and setScallopHeight")]] void setScallop(double radius, double height)
   {
-    settings_.tool_radius = radius;
-    settings_.scallop_height = height;
+    setToolRadius(radius), setScallopHeight(height);
   }
-  double getToolRadius() const { return settings_.tool_radius; }       ///< The radius of setScallop, mm.
-  double getScallopHeight() const { return settings_.scallop_height; } ///< The height of setScallop, mm.
 
   /** Whether rows in zigzag are joined on the surface to one pass. This is done if the next row begins within
    *  two step-overs of the end of this row, and the straight way between is over the mesh. False by default. */

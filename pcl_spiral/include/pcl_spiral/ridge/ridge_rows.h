@@ -47,7 +47,7 @@ struct RidgeRowSettings {
   double run_out = 0.0;                      ///< the same after the row
 };
 
-/** All of them but the tool radius, which setScallop sets beside the scallop height. */
+/** All of them but the tool radius, which goes with the scallop height. */
 std::vector<Setting> settingTable(RidgeRowSettings& settings);
 
 /** Report of rows. Lengths in mm. */

@@ -56,7 +56,7 @@ public:
   /** Whether rows run in zigzag or all in one direction; true, zigzag, by default. */
   void setZigzag(bool zigzag) { rows_.zigzag = zigzag; }
   bool getZigzag() const { return rows_.zigzag; } ///< The value of setZigzag.
-  /** Largest distance between neighbouring rows, mm. Set exactly one of these three: setStepOver, setSpot, setScallop. */
+  /** Largest distance between neighbouring rows, mm. Set exactly one of these three: setStepOver, setSpot, setScallopHeight. */
   void setStepOver(double step) { rows_.step_over = step; }
   double getStepOver() const { return rows_.step_over; } ///< The value of setStepOver.
   /** Diameter of the spot of a beam, mm, and the share of it that the next row covers again. */
@@ -67,14 +67,17 @@ public:
   }
   double getSpotSize() const { return rows_.spot_size; } ///< The size of setSpot, mm.
   double getOverlap() const { return rows_.overlap; }    ///< The overlap of setSpot.
-  /** Radius of a ball cutter, mm, and its scallop height: the largest height of the ridges it may leave, mm. */
-  void setScallop(double tool_radius, double height)
+  /** Radius of the ball cutter that the scallop height is for, mm. */
+  void setToolRadius(double radius) { rows_.tool_radius = radius; }
+  double getToolRadius() const { return rows_.tool_radius; } ///< The value of setToolRadius.
+  /** Largest height of the ridges that the ball may leave, mm. */
+  void setScallopHeight(double height) { rows_.scallop_height = height; }
+  double getScallopHeight() const { return rows_.scallop_height; } ///< The value of setScallopHeight.
+  /** \deprecated Use setToolRadius and setScallopHeight. */
+  [[deprecated("use setToolRadius and setScallopHeight")]] void setScallop(double radius, double height)
   {
-    rows_.tool_radius = tool_radius;
-    rows_.scallop_height = height;
+    setToolRadius(radius), setScallopHeight(height);
   }
-  double getToolRadius() const { return rows_.tool_radius; }       ///< The radius of setScallop, mm.
-  double getScallopHeight() const { return rows_.scallop_height; } ///< The height of setScallop, mm.
 
   /** Largest distance between consecutive points on the surface, mm; 1 by default. For RidgeSteps::Stations: along rail or generator. */
   void setPointSpacing(double spacing) { rows_.point_spacing = spacing; }
@@ -92,11 +95,15 @@ public:
   double getStandOff() const { return rows_.stand_off; } ///< The value of setStandOff.
   /** Lean of the axis forward along the row, degrees; 0 by default. The tool stays on the normal. So a
    *  leaning beam meets the surface next to its row, by the stand-off times the tangent of the angle. */
-  void setLead(double degrees) { rows_.lead = degrees; }
-  double getLead() const { return rows_.lead; } ///< The value of setLead.
+  void setLeadAngle(double degrees) { rows_.lead = degrees; }
+  /** \deprecated Renamed setLeadAngle. */
+  [[deprecated("use setLeadAngle")]] void setLead(double degrees) { setLeadAngle(degrees); }
+  double getLeadAngle() const { return rows_.lead; } ///< The value of setLeadAngle.
   /** Lean of the axis to the right of travel, degrees; 0 by default. */
-  void setTilt(double degrees) { rows_.tilt = degrees; }
-  double getTilt() const { return rows_.tilt; } ///< The value of setTilt.
+  void setTiltAngle(double degrees) { rows_.tilt = degrees; }
+  /** \deprecated Renamed setTiltAngle. */
+  [[deprecated("use setTiltAngle")]] void setTilt(double degrees) { setTiltAngle(degrees); }
+  double getTiltAngle() const { return rows_.tilt; } ///< The value of setTiltAngle.
   /** Straight extension before each row that is not closed, mm; 0 by default. */
   void setRunIn(double length) { rows_.run_in = length; }
   double getRunIn() const { return rows_.run_in; }          ///< The value of setRunIn.

@@ -30,13 +30,17 @@ public:
 
   /** Smoothing length, mm: shorter changes are smoothed away; 50 by default, 0 for none. A wave of length 2 pi l keeps the
    *  share 1 / (1 + (length / l)^4). */
-  void setSmoothingLength(double length) { smoothing_length_ = length; }
-  double getSmoothingLength() const { return smoothing_length_; } ///< The value of setSmoothingLength.
+  void setAxisSmoothing(double length) { smoothing_length_ = length; }
+  /** \deprecated Renamed setAxisSmoothing. */
+  [[deprecated("use setAxisSmoothing")]] void setSmoothingLength(double length) { setAxisSmoothing(length); }
+  double getAxisSmoothing() const { return smoothing_length_; } ///< The value of setAxisSmoothing.
 
   /** How far smoothing may move the axis from the wanted one, degrees, in the mean over its length; 2 by default. Where it would
    *  move it farther, it smooths less. The axis rate has priority: points with a larger deviation are counted. */
-  void setMaxDeviation(double degrees) { max_deviation_ = degrees; }
-  double getMaxDeviation() const { return max_deviation_; } ///< The value of setMaxDeviation.
+  void setAxisDeviation(double degrees) { max_deviation_ = degrees; }
+  /** \deprecated Renamed setAxisDeviation. */
+  [[deprecated("use setAxisDeviation")]] void setMaxDeviation(double degrees) { setAxisDeviation(degrees); }
+  double getAxisDeviation() const { return max_deviation_; } ///< The value of setAxisDeviation.
 
   /** Largest turn of the axis, degrees per mm of path; 10 by default, 0 for no limit. */
   void setMaxAxisRate(double degrees_per_mm) { max_axis_rate_ = degrees_per_mm; }

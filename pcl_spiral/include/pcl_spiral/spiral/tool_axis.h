@@ -30,12 +30,16 @@ public:
   double getLeadAngle() const { return lead_angle_; } ///< The value of setLeadAngle.
 
   /** Smoothing length, mm: shorter changes along the path are smoothed away; 50 by default, 0 for none. See AxisField. */
-  void setSmoothingLength(double length) { field_.setSmoothingLength(length); }
-  double getSmoothingLength() const { return field_.getSmoothingLength(); } ///< The value of setSmoothingLength.
+  void setAxisSmoothing(double length) { field_.setAxisSmoothing(length); }
+  /** \deprecated Renamed setAxisSmoothing. */
+  [[deprecated("use setAxisSmoothing")]] void setSmoothingLength(double length) { setAxisSmoothing(length); }
+  double getAxisSmoothing() const { return field_.getAxisSmoothing(); } ///< The value of setAxisSmoothing.
 
   /** How far smoothing may move the axis from the requested tilt, degrees; 2 by default. See AxisField. */
-  void setMaxDeviation(double degrees) { field_.setMaxDeviation(degrees); }
-  double getMaxDeviation() const { return field_.getMaxDeviation(); } ///< The value of setMaxDeviation.
+  void setAxisDeviation(double degrees) { field_.setAxisDeviation(degrees); }
+  /** \deprecated Renamed setAxisDeviation. */
+  [[deprecated("use setAxisDeviation")]] void setMaxDeviation(double degrees) { setAxisDeviation(degrees); }
+  double getAxisDeviation() const { return field_.getAxisDeviation(); } ///< The value of setAxisDeviation.
 
   /** Largest turn of the axis, degrees per mm of path; 10 by default, 0 for no limit. */
   void setMaxAxisRate(double degrees_per_mm) { field_.setMaxAxisRate(degrees_per_mm); }

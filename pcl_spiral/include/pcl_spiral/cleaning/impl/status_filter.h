@@ -67,7 +67,7 @@ protected:
     pcl::Indices kept, removed;
     status_ = choose(kept, removed);
     if (!status_.ok()) {
-      tellFailure();
+      reportFailure();
       kept.clear();
       removed = *this->indices_;
     }
@@ -81,7 +81,7 @@ protected:
 private:
   static Status missingCloud() { return {StatusCode::InvalidInput, "the input cloud is missing: call {setInputCloud} with points"}; }
 
-  void tellFailure() const
+  void reportFailure() const
   {
     if (!quiet_)
       PCL_ERROR("[pcl_spiral::%s::filter] %s\n", this->filter_name_.c_str(), status_.message().c_str());
@@ -94,7 +94,7 @@ private:
       return true;
     status_ = missingCloud();
     this->removed_indices_->clear();
-    tellFailure();
+    reportFailure();
     return false;
   }
 

@@ -52,7 +52,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeLoops(Surface::ConstP
   if (loops.empty()) {
     BoundaryLoops<PointInT, PointNT> boundaries;
     boundaries.setInputSurface(surface);
-    boundaries.setMinHoleWidth(hole_size);
+    boundaries.setHoleSize(hole_size);
     boundaries.setNumberOfThreads(settings_.threads);
     boundaries.setProgressCallback(partOf(progress_, 0.1, 0.35)); // begins where its own surface would be made
     boundaries.setQuiet(true);
