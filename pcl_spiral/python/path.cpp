@@ -48,6 +48,18 @@ pointColumn(const Path& path)
   return viewOf(owner, points.empty() ? nullptr : &(points.points.front().*Member), points.size(), sizeof(ToolpathPoint), false);
 }
 
+/** The points of the part, (N, 3), without the shift; none if the path does not know them. */
+py::array
+partOf(const Path& path)
+{
+  pcl::PointCloud<pcl::PointXYZ>::ConstPtr cloud;
+  if (path.source)
+    cloud = path.source->spiral ? path.source->spiral->cloud : path.source->passes->cloud;
+  const auto owner = std::make_shared<pcl::PointCloud<pcl::PointXYZ>::ConstPtr>(cloud);
+  const std::size_t size = cloud ? cloud->size() : 0;
+  return viewOf(owner, size == 0 ? nullptr : cloud->points.front().data, size, sizeof(pcl::PointXYZ), true);
+}
+
 /** The rows of each pass. */
 py::tuple
 passesOf(const Path& path)
@@ -196,6 +208,8 @@ addPath(py::module_& module)
       .def_property_readonly("tool_radius", [](const Path& path) { return path.motion.tool_radius; })
       .def_property_readonly("feed", [](const Path& path) { return path.motion.feed; })
       .def_property_readonly("warnings", [](const Path& path) { return py::tuple(py::cast(path.warnings)); })
+      .def_property_readonly("_part", &partOf)
+      .def_property_readonly("_origin", [](const Path& path) { return rowsOf(Polyline{path.motion.origin}); })
       .def_property_readonly("_report_text", [](const Path& path) { return path.report; })
       .def("__len__", [](const Path& path) { return path.points->size(); })
       .def("_write", &save)

@@ -5,11 +5,13 @@ import copy
 import multiprocessing
 import os
 import pickle
+import re
 import signal
 import subprocess
 import sys
 import threading
 import time
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -263,7 +265,36 @@ def test_files_that_cannot_be_written(folder):
     assert os.listdir() == []
 
 
-def test_pictures_of_notebooks_and_vtk():
+def drawn(path):
+    """Places of the lines of a picture, the bars of its part, and its text."""
+    html = path._repr_html_()
+    picture = ElementTree.fromstring(html[html.index("<svg") : html.index("</svg>") + 6])
+    lines = [shape.attrib["d"] for shape in picture if shape.attrib.get("stroke", "none") not in ("none", "#222")]
+    places = np.array([float(number) for line in lines for number in re.findall(r"[-\d.]+", line)]).reshape(-1, 2)
+    part = [shape.attrib["d"].count("z") for shape in picture if shape.attrib.get("fill") == "#d8dce2"]
+    return places, part, " ".join(shape.text for shape in picture if shape.text), len(html)
+
+
+def test_pictures_of_notebooks():
+    path = pcl_spiral.spiral(POINTS + [4e5, 3e6, 0], **SETTINGS)
+    places, part, text, size = drawn(path)
+    assert size < 200000 and "10 mm" in text and "from the side" in text
+    assert (places >= 0).all() and places.max() <= 900 and len(part) == 2 and min(part) > 1
+    above = places[: len(places) // 2]  # the same points as from the side
+    extent = np.ptp(path.contact, axis=0)
+    assert np.ptp(above[:, 0]) / np.ptp(above[:, 1]) == pytest.approx(extent[0] / extent[1], rel=0.02)
+    assert drawn(path)[0].tobytes() == places.tobytes()
+    kept = drawn(pickle.loads(pickle.dumps(path)))  # which has no scan
+    assert kept[0].tobytes() == places.tobytes() and kept[1] == []
+
+
+def test_pictures_of_many_passes():
+    plane = np.stack(np.meshgrid(np.arange(0, 60, 0.5), np.arange(0, 40, 0.5), [0.0]), -1).reshape(-1, 3)
+    path = pcl_spiral.drive(plane, tool_radius=0.5, step_over=0.035)
+    assert len(path.passes) > 1000 and drawn(path)[3] < 200000
+
+
+def test_texts_of_notebooks_and_vtk():
     path = pcl_spiral.spiral(POINTS, **SETTINGS)
     assert "points" in repr(path) and repr(path)[1:-1] in path._repr_html_().replace("&lt;", "<").replace("&gt;", ">")
     if not pytest.importorskip("vtkmodules.vtkIOXML"):

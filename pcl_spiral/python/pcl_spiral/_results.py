@@ -8,6 +8,8 @@ import tempfile
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from ._picture import svg
+
 
 class Pass(NamedTuple):
     """A pass for cutter_locations(): arrays (N, 3). Where a normal is zero, the cutter comes down along the axis."""
@@ -100,7 +102,8 @@ def _repr(path):
 
 def _repr_html(path):
     rows = "".join(f"<li>{html.escape(warning)}</li>" for warning in path.warnings)
-    return f"<p>{html.escape(repr(path))}</p>" + (f"<ul>{rows}</ul>" if rows else "")
+    picture = svg(path, path._part + path._origin) if len(path) else ""
+    return f"<p>{html.escape(repr(path))}</p>{picture}" + (f"<ul>{rows}</ul>" if rows else "")
 
 
 def _to_vtk(path):
