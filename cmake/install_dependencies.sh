@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the missing Debian packages: as root or with sudo; otherwise it lists them.
-# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [sanitizers] [lint] [doc] [python] [releases]
+# Usage: install_dependencies.sh [build] [test] [display] [benchmark] [fuzz] [sanitizers] [lint] [doc] [python] [wheel] [releases]
 # (without names: build)
 set -euo pipefail
 
 build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
-  libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev liblz4-dev)
+  libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev liblz4-dev
+  file) # by which cpack finds what a .deb depends on
 test=(libgtest-dev pkg-config groff-base linuxcnc-uspace admesh) # linuxcnc: its interpreter rs274 runs our programs; admesh counts faults of meshes
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev libcgal-dev) # CGAL's slicer of meshes runs beside ours
@@ -16,6 +17,7 @@ lint=(clang-format-14 clang-tidy-14 libomp-14-dev) # other versions break lines 
 doc=(doxygen)
 python=(python3-dev pybind11-dev python3-numpy # the module, and arrays that it takes and gives
   python3-pytest mypy) # its tests, and the check of its types
+wheel=(python3-venv python3-scikit-build-core) # pip install ./pcl_spiral/python; Debian 13
 releases=(debootstrap git) # tests on bare Debian releases
 
 wanted=()
@@ -30,9 +32,10 @@ for group in "${@:-build}"; do
     lint) wanted+=("${lint[@]}") ;;
     doc) wanted+=("${doc[@]}") ;;
     python) wanted+=("${python[@]}") ;;
+    wheel) wanted+=("${wheel[@]}") ;;
     releases) wanted+=("${releases[@]}") ;;
     *)
-      echo "unknown group '$group': name build, test, display, benchmark, fuzz, sanitizers, lint, doc, python or releases" >&2
+      echo "unknown group '$group': name build, test, display, benchmark, fuzz, sanitizers, lint, doc, python, wheel or releases" >&2
       exit 2
       ;;
   esac

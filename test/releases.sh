@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs the quick start and every test on bare Debian releases, and compares the bytes of the quick start's path.
+# Runs the quick start and every test on bare Debian releases, makes the wheel of Python, and compares the bytes of the quick start's path.
 # Usage: releases.sh [--again] [RELEASE ...] [options for ctest]     default: bookworm and trixie
 #   --again  continues in the root of the last run, with its packages and build folder; otherwise a fresh copy of the bare root
 # Needs root, and packages: cmake/install_dependencies.sh releases. Mirror, proxy and credentials are those of this
@@ -74,6 +74,11 @@ step() { # RELEASE NAME COMMAND ...: says whether it passed, and how long it too
   [ "$result" = passed ] || { tail -n 25 "$log"; failed=1; }
 }
 
+wheel='cd /src/pcl_spiral && bash cmake/install_dependencies.sh build python wheel
+  rm -rf /venv && python3 -m venv --system-site-packages /venv
+  /venv/bin/pip install --no-build-isolation --no-deps ./pcl_spiral/python
+  cd / && /venv/bin/python -c "import pcl_spiral; print(pcl_spiral.__file__)" | grep ^/venv/'
+
 run_release() { # RELEASE
   local root=$scratch/$1/root path=/src/pcl_spiral/quickstart_output/dome_spiral.csv sum=none
   make_bare_root "$1"
@@ -85,6 +90,7 @@ run_release() { # RELEASE
   copy_sources "$root"
   step "$1" quickstart bash -c 'cd /src/pcl_spiral && bash examples/quickstart.sh'
   step "$1" tests bash /src/pcl_spiral/test/run.sh "${ctest_options[@]}"
+  [ "$1" = bookworm ] || step "$1" wheel bash -euc "$wheel" # whose backend is not in Debian 12
   [ ! -r "$root$path" ] || sum=$(sha256sum <"$root$path" | cut -c 1-64)
   echo "$1: sha256 of the quick start's path $sum"
   sums+=("$sum")

@@ -59,6 +59,7 @@ import numpy, os, signal, sys, threading, time
 import pcl_spiral
 sys.path.insert(0, sys.argv[1])
 from conftest import cap
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a process in the background does not have
 points = cap(400000, rim=50.0)
 sent = []
 def send():
@@ -342,5 +343,6 @@ if {fork}:
 @pytest.mark.parametrize("fork", [False, True])
 def test_ends_beside_a_run_of_a_daemon_thread(fork):
     script = BESIDE.format(tests=os.path.dirname(__file__), fork=fork)
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
+    quiet = ["-W", "ignore::DeprecationWarning"]  # of Python from 3.12 on, about forks beside threads
+    done = subprocess.run([sys.executable, *quiet, "-c", script], capture_output=True, text=True, timeout=60)
     assert done.returncode == 0 and done.stderr == "", done.stderr
