@@ -79,6 +79,14 @@ rowsOf(const Vectors& vectors)
                              vectors.empty() ? nullptr : vectors.front().data());
 }
 
+/** Numbers as (N) of their own. */
+template <typename Number>
+py::array
+numbersOf(const std::vector<Number>& numbers)
+{
+  return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+}
+
 /** Places as (N, 3) rows, mm, in the coordinates before \p shift was subtracted. */
 py::array rowsOf(Polyline places, const Eigen::Vector3d& shift);
 

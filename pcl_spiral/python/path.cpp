@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace pcl_spiral::python {
 
@@ -60,18 +61,25 @@ partOf(const Path& path)
   return viewOf(owner, size == 0 ? nullptr : cloud->points.front().data, size, sizeof(pcl::PointXYZ), true);
 }
 
+/** Where each pass begins and ends. */
+std::vector<std::pair<std::size_t, std::size_t>>
+rangesOf(const Path& path)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> ranges{{0, path.points->size()}};
+  for (const std::size_t begin : path.motion.passes) {
+    ranges.back().second = begin;
+    ranges.emplace_back(begin, path.points->size());
+  }
+  return ranges;
+}
+
 /** The rows of each pass. */
 py::tuple
 passesOf(const Path& path)
 {
   py::list passes;
-  std::size_t begin = 0;
-  std::vector<std::size_t> ends = path.motion.passes;
-  ends.push_back(path.points->size());
-  for (const std::size_t end : ends) {
+  for (const auto& [begin, end] : rangesOf(path))
     passes.append(py::slice(static_cast<py::ssize_t>(begin), static_cast<py::ssize_t>(end), 1));
-    begin = end;
-  }
   return py::tuple(passes);
 }
 
@@ -81,13 +89,8 @@ posePasses(const Path& path)
 {
   const ToolPoses all = path.poses ? *path.poses : posesOf(*path.points, path.motion);
   std::vector<ToolPoses> passes;
-  std::vector<std::size_t> ends = path.motion.passes;
-  ends.push_back(all.size());
-  std::size_t begin = 0;
-  for (const std::size_t end : ends) {
+  for (const auto& [begin, end] : rangesOf(path))
     passes.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(begin), all.begin() + static_cast<std::ptrdiff_t>(end));
-    begin = end;
-  }
   return passes;
 }
 

@@ -281,6 +281,18 @@ placesOf(std::size_t size, At at)
   return places;
 }
 
+Polyline
+positionsOf(const Surface& surface)
+{
+  return placesOf(surface.size(), [&surface](std::size_t i) { return surface.position(i); });
+}
+
+Polyline
+normalsOf(const Surface& surface)
+{
+  return placesOf(surface.size(), [&surface](std::size_t i) { return surface.normal(i); });
+}
+
 /** Feet and normals, (N, 3), and the principal curvatures, the larger first; not-a-number where a place has no foot. */
 py::tuple
 project(const ShiftedSurface& surface, const py::object& places, const py::dict& given)
@@ -295,8 +307,7 @@ project(const ShiftedSurface& surface, const py::object& places, const py::dict&
   stage->getPrincipalCurvatures(larger, smaller);
   return py::make_tuple(rowsOf(placesOf(all.size(), [&](std::size_t i) { return all[i].getVector3fMap().cast<double>(); }), surface.shift),
                         rowsOf(placesOf(all.size(), [&](std::size_t i) { return all[i].getNormalVector3fMap().cast<double>(); })),
-                        py::array_t<double>(static_cast<py::ssize_t>(larger.size()), larger.data()),
-                        py::array_t<double>(static_cast<py::ssize_t>(smaller.size()), smaller.data()));
+                        numbersOf(larger), numbersOf(smaller));
 }
 
 /** Whether each point of \p surface is one of its boundary. */
@@ -304,14 +315,11 @@ py::array_t<bool>
 boundaryPoints(const ShiftedSurface& surface, const py::dict& given)
 {
   StageCall call("boundary_points", given, surface.shift);
-  const Surface& s = *surface.value;
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    const Eigen::Vector3f n = s.normal(i).cast<float>();
-    normals->emplace_back(n.x(), n.y(), n.z());
-  }
+  for (const Eigen::Vector3d& n : normalsOf(*surface.value))
+    normals->emplace_back(static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()));
   const auto stage = std::make_shared<CentroidBoundaryEstimation<Point, pcl::Normal>>();
-  stage->setInputCloud(cloudOf(placesOf(s.size(), [&s](std::size_t i) { return s.position(i); })));
+  stage->setInputCloud(cloudOf(positionsOf(*surface.value)));
   stage->setInputNormals(normals);
   stage->setKSearch(call.settings.neighbours);
   const auto found = std::make_shared<pcl::PointCloud<pcl::Boundary>>();
@@ -369,13 +377,8 @@ void
 addSurface(py::module_& module)
 {
   py::class_<ShiftedSurface>(module, "Surface")
-      .def_property_readonly("points",
-                             [](const ShiftedSurface& s) {
-                               return rowsOf(placesOf(s.value->size(), [&s](std::size_t i) { return s.value->position(i); }), s.shift);
-                             })
-      .def_property_readonly(
-          "normals",
-          [](const ShiftedSurface& s) { return rowsOf(placesOf(s.value->size(), [&s](std::size_t i) { return s.value->normal(i); })); })
+      .def_property_readonly("points", [](const ShiftedSurface& s) { return rowsOf(positionsOf(*s.value), s.shift); })
+      .def_property_readonly("normals", [](const ShiftedSurface& s) { return rowsOf(normalsOf(*s.value)); })
       .def_property_readonly("spacing", [](const ShiftedSurface& s) { return s.value->spacing(); })
       .def_property_readonly("noise", [](const ShiftedSurface& s) { return s.value->noise(); })
       .def_property_readonly("area", [](const ShiftedSurface& s) { return s.value->area(); })
@@ -402,11 +405,7 @@ addLines(py::module_& module)
       });
   py::class_<ShiftedField>(module, "StepOverField")
       .def_property_readonly("points", [](const ShiftedField& f) { return rowsOf(f.value->mesh.positions, f.shift); })
-      .def_property_readonly("distance",
-                             [](const ShiftedField& f) {
-                               const std::vector<double>& d = f.value->distance;
-                               return py::array_t<double>(static_cast<py::ssize_t>(d.size()), d.data());
-                             })
+      .def_property_readonly("distance", [](const ShiftedField& f) { return numbersOf(f.value->distance); })
       .def_property_readonly("largest", [](const ShiftedField& f) { return f.value->largest; })
       .def_property_readonly("least_length", [](const ShiftedField& f) { return f.value->least_length; });
   py::class_<ShiftedRings>(module, "ScallopLoops")

@@ -100,9 +100,8 @@ resultOf(const VerifyCall& call, OpenVerifier& verifier, std::vector<Verificatio
       broken.push_back(text);
     for (const std::string& text : textsOf(warningsOf(found[k]), vocabulary))
       warnings.push_back(text);
-    const Heights& heights = verifier.getHeights(k);
-    deviation.append(py::array_t<float>(static_cast<py::ssize_t>(heights.deviation.size()), heights.deviation.data()));
-    stock.append(py::array_t<float>(static_cast<py::ssize_t>(heights.stock.size()), heights.stock.data()));
+    deviation.append(numbersOf(verifier.getHeights(k).deviation));
+    stock.append(numbersOf(verifier.getHeights(k).stock));
   }
   const RunFiles files = call.files(call.scan.warnings);
   VerificationRun run{
