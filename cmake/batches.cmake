@@ -46,6 +46,6 @@ function(pcl_spiral_batches target)
     endforeach()
   endforeach()
   # GCC takes a class of a source in the batch for one of a header, and warns of its anonymous base.
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()

@@ -8,7 +8,7 @@ set -euo pipefail
 build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
   libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev liblz4-dev
   file) # by which cpack finds what a .deb depends on
-test=(libgtest-dev pkg-config groff-base linuxcnc-uspace admesh) # linuxcnc: its interpreter rs274 runs our programs; admesh counts faults of meshes
+test=(libgtest-dev pkg-config groff-base linuxcnc-uspace linuxcnc-uspace-dev admesh) # linuxcnc: its interpreter rs274 and its planner run our programs; admesh counts faults of meshes
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev libcgal-dev) # CGAL's slicer of meshes runs beside ours
 fuzz=(clang libclang-rt-dev) # libFuzzer; no test needs it
