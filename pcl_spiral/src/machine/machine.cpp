@@ -21,6 +21,12 @@ rangeFault(const std::string& axis, const AxisRange& range)
     return Diagnostic("the lower limit of ", axis, " is not below the upper one; give limits: [lower, upper]");
   if (!(range.largest_rate > 0.0))
     return Diagnostic("the largest rate of ", axis, " is ", range.largest_rate, "; it must be above 0");
+  const auto bad = [](const std::optional<double>& limit) { return limit && !(*limit > 0.0 && std::isfinite(*limit)); };
+  if (bad(range.largest_acceleration))
+    return Diagnostic("the largest acceleration of ", axis, " is ", *range.largest_acceleration,
+                      "; give a number above 0, or leave it out for the usual one");
+  if (bad(range.largest_jerk))
+    return Diagnostic("the largest jerk of ", axis, " is ", *range.largest_jerk, "; give a number above 0, or leave it out for none");
   return {};
 }
 
@@ -97,6 +103,8 @@ checkMachine(const Machine& machine)
                                      "; give a height within them that is clear of everything"));
   if (const double tolerance = machine.path_tolerance.value_or(0.0); !(tolerance >= 0.0) || !std::isfinite(tolerance))
     return fault(machine, Diagnostic("path_tolerance is ", tolerance, "; it must be 0 {mm} or above"));
+  if (machine.control.look_ahead && *machine.control.look_ahead < 1)
+    return fault(machine, Diagnostic("the look-ahead of the control is ", *machine.control.look_ahead, " moves; it must be 1 or above"));
   if (machine.words.tip_control_on.empty() != machine.words.tip_control_off.empty())
     return fault(machine, "of the two words that switch the kinematics only one is given; give both, such as M428 and M429");
   return Status::success();

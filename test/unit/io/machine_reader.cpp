@@ -109,6 +109,32 @@ TEST(MachineReader, LinesOfTheShopAndWordsOfTheControlAreRead)
   EXPECT_EQ(m.words.smoothing_off, std::vector<std::string>{});
 }
 
+TEST(MachineReader, LimitsOfAccelerationAndJerkAreRead)
+{
+  const ScratchFolder folder;
+  writeText(folder.path("m.yaml"), replaced("max_rpm: 10", "max_rpm: 10, max_acceleration: 500, max_jerk: 9000") +
+                                       "linear: {X: {max_acceleration: 1500, max_jerk: 30000}}\n"
+                                       "control: {look_ahead: 200, rounds_rotary_corners: true}\n");
+  const Machine m = readMachine(folder.path("m.yaml"));
+  EXPECT_NEAR(*m.rotary[1].range.largest_acceleration, 500.0 * degree, 1e-12);
+  EXPECT_NEAR(*m.rotary[1].range.largest_jerk, 9000.0 * degree, 1e-12);
+  EXPECT_FALSE(m.rotary[0].range.largest_acceleration);
+  EXPECT_EQ(m.linear[0].largest_acceleration, 1500.0);
+  EXPECT_EQ(m.linear[0].largest_jerk, 30000.0);
+  EXPECT_FALSE(m.linear[1].largest_jerk);
+  EXPECT_EQ(m.control.look_ahead, 200);
+  EXPECT_EQ(m.control.rounds_rotary_corners, true);
+  for (const char* bad : {"0", "-5"}) {
+    const std::string value = bad;
+    expectHas(said(whole + "linear: {Y: {max_acceleration: " + value + "}}\n"),
+              "the largest acceleration of Y is " + value + "; give a number above 0, or leave it out for the usual one");
+    expectHas(said(replaced("max_rpm: 10", "max_rpm: 10, max_jerk: " + value)), "the largest jerk of A is ");
+    expectHas(said(whole + "control: {look_ahead: " + value + "}\n"), "the look-ahead of the control is " + value);
+  }
+  expectHas(said(whole + "linear: {Y: {max_acceleration: .nan}}\n"), "max_acceleration of Y is not finite");
+  expectHas(said(whole + "control: {depth: 3}\n"), "'depth' is not a setting of control; its settings are look_ahead");
+}
+
 TEST(MachineReader, WrongLinesOfTheShopAreNamed)
 {
   const std::string program = whole + "program:\n  ";

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/control_model.h>
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/machine/machine_program.h>
@@ -112,19 +113,21 @@ struct DialectEntry {
   const char* offsets;     ///< a regular expression for its work offsets
   const char* offset_help; ///< the same in words
   void (*write)(const std::string&, const MachineProgram&, const ProgramHeader&); ///< its writer
+  ControlKind control;                                                            ///< that reads it, for the machining time
 };
 
 /** All languages. A new one needs an entry here, its value and the declaration of its writer above, and a file with the writer. */
 inline constexpr std::array dialect_entries{
-    DialectEntry{Dialect::LinuxCNC, "linuxcnc", ".ngc", false, false, "G5[4-9]|G59\\.[123]", "G54 to G59, or G59.1 to G59.3",
-                 writeLinuxCNC},
+    DialectEntry{Dialect::LinuxCNC, "linuxcnc", ".ngc", false, false, "G5[4-9]|G59\\.[123]", "G54 to G59, or G59.1 to G59.3", writeLinuxCNC,
+                 ControlKind::LinuxCNC},
     DialectEntry{Dialect::Fanuc, "fanuc", "", false, true, "G5[4-9]|G54\\.1 P([1-9]|[1-9][0-9]|[12][0-9][0-9]|300)",
-                 "G54 to G59, or G54.1 P1 to G54.1 P300", writeFanuc},
+                 "G54 to G59, or G54.1 P1 to G54.1 P300", writeFanuc, ControlKind::Fanuc},
     DialectEntry{Dialect::FanucVectors, "fanuc-ijk", "", true, true, "G5[4-9]|G54\\.1 P([1-9]|[1-9][0-9]|[12][0-9][0-9]|300)",
-                 "G54 to G59, or G54.1 P1 to G54.1 P300", writeFanucVectors},
+                 "G54 to G59, or G54.1 P1 to G54.1 P300", writeFanucVectors, ControlKind::Fanuc},
     DialectEntry{Dialect::Siemens, "siemens", ".mpf", true, true, "G5[4-7]|G50[5-9]|G5[1-9][0-9]", "G54 to G57, or G505 to G599",
-                 writeSiemens},
-    DialectEntry{Dialect::Heidenhain, "heidenhain", ".h", true, false, "[0-9]{1,4}", "the number of a preset, such as 1", writeHeidenhain}};
+                 writeSiemens, ControlKind::Siemens},
+    DialectEntry{Dialect::Heidenhain, "heidenhain", ".h", true, false, "[0-9]{1,4}", "the number of a preset, such as 1", writeHeidenhain,
+                 ControlKind::Heidenhain}};
 
 /** The entry of \p dialect. */
 const DialectEntry& entryOf(Dialect dialect);

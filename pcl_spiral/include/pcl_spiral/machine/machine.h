@@ -22,11 +22,18 @@ enum class RotaryMount {
   Head   ///< the tool
 };
 
+/** Acceleration of a linear axis whose limit is not known, mm/s2: that of the setting acceleration of spirals. */
+constexpr double usual_linear_acceleration = 2000.0;
+/** The same of a rotary axis, radians/s2: 1000 degrees/s2. */
+constexpr double usual_rotary_acceleration = 17.453292519943295;
+
 /** Range and speed of one axis: mm and mm/min, or radians and radians/min. */
 struct AxisRange {
   double lower = -std::numeric_limits<double>::infinity();       ///< lower limit
   double upper = std::numeric_limits<double>::infinity();        ///< upper limit
   double largest_rate = std::numeric_limits<double>::infinity(); ///< largest speed
+  std::optional<double> largest_acceleration;                    ///< mm/s2 or radians/s2; empty: the usual one above
+  std::optional<double> largest_jerk;                            ///< mm/s3 or radians/s3; empty: no limit
 
   /** Whether there is a limit of position. */
   bool finite() const { return lower > -std::numeric_limits<double>::infinity() || upper < std::numeric_limits<double>::infinity(); }
@@ -60,6 +67,12 @@ enum class Branch {
   Smaller ///< the smaller second angle
 };
 
+/** How the control of this machine plans speeds, where it differs from its family (ControlModel). */
+struct ControlPlanning {
+  std::optional<int> look_ahead;             ///< moves
+  std::optional<bool> rounds_rotary_corners; ///< it rounds corners of moves that turn a rotary axis
+};
+
 /** A machine with X, Y and Z, and two rotary axes or none. At zero,
  *  the tool points along +Z from its tip to the spindle. */
 struct Machine {
@@ -75,6 +88,7 @@ struct Machine {
   std::optional<double> path_tolerance; ///< the control may round corners by this, mm; 0: it stops exactly; empty: the program decides
   ShopLines lines;                      ///< of the shop, in every program
   ControlWords words;                   ///< of the control
+  ControlPlanning control;              ///< of speeds
 
   /** The control is given tips and tool axes. */
   bool takesTips() const { return rtcp && !three_axes; }

@@ -28,6 +28,16 @@ readLimits(YamlSettings& settings, double unit, AxisRange& range)
   range.upper = unit * limits[1];
 }
 
+/** \p unit: of the axis, mm or radians. */
+void
+readDynamics(YamlSettings& settings, double unit, AxisRange& range)
+{
+  if (settings.has("max_acceleration"))
+    range.largest_acceleration = unit * settings.number("max_acceleration", "1000");
+  if (settings.has("max_jerk"))
+    range.largest_jerk = unit * settings.number("max_jerk", "20000");
+}
+
 RotaryAxis
 readRotary(const std::string& file, const YAML::Node& node)
 {
@@ -46,6 +56,7 @@ readRotary(const std::string& file, const YAML::Node& node)
     axis.point = settings.vector("point", "[0, 0, 0]");
   readLimits(settings, degree, axis.range);
   axis.range.largest_rate = full_turn * settings.number("max_rpm", "20");
+  readDynamics(settings, degree, axis.range);
   if (settings.has("home"))
     axis.home = degree * settings.number("home", "0");
   settings.refuseOthers();
@@ -61,8 +72,20 @@ readLinear(const std::string& file, const YAML::Node& node, const std::string& n
     readLimits(settings, 1.0, range);
   if (settings.has("max_feed"))
     range.largest_rate = settings.number("max_feed", "12000");
+  readDynamics(settings, 1.0, range);
   settings.refuseOthers();
   return range;
+}
+
+void
+readControl(const std::string& file, const YAML::Node& node, Machine& machine)
+{
+  YamlSettings settings(file, node, "control");
+  if (settings.has("look_ahead"))
+    machine.control.look_ahead = settings.value<int>("look_ahead", "200");
+  if (settings.has("rounds_rotary_corners"))
+    machine.control.rounds_rotary_corners = settings.value<bool>("rounds_rotary_corners", "true");
+  settings.refuseOthers();
 }
 
 void
@@ -80,6 +103,8 @@ readOptional(const std::string& file, YamlSettings& settings, Machine& machine)
     machine.retract_z = settings.number("retract_z", "300");
   if (settings.has("path_tolerance"))
     machine.path_tolerance = settings.number("path_tolerance", "0.01");
+  if (settings.has("control"))
+    readControl(file, settings.at("control", "{look_ahead: 200}"), machine);
   if (settings.has("program"))
     readProgramWords(file, settings.at("program", "{header: [G55]}"), machine);
 }

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/machine/motion_time.h>
+
+#include "control_moves.h"
+
+#include "core/motion_timer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr double feed_step = 1.5, acceleration_step = 2.0, tolerance_step = 2.0; ///< of MotionChange
+
+double
+cornerTolerance(const MachineProgram& program, const ControlModel& control, std::optional<double> tolerance)
+{
+  return program.machine.path_tolerance.value_or(tolerance.value_or(control.tolerance));
+}
+
+/** The first block that has no finite place or time; the number of blocks if all have. */
+std::size_t
+firstBadBlock(const MachineProgram& program)
+{
+  const auto bad = std::find_if(program.blocks.begin(), program.blocks.end(), [](const ProgramBlock& block) {
+    return !block.tip.allFinite() || !block.machine.allFinite() || !std::isfinite(block.angles.first) ||
+           !std::isfinite(block.angles.second) || !std::isfinite(block.minutes);
+  });
+  return static_cast<std::size_t>(bad - program.blocks.begin());
+}
+
+MotionTime
+timeOf(const MachineProgram& program, const ControlModel& control, const AxisDynamics& axes, double tolerance)
+{
+  MotionTime time;
+  time.blocks.assign(program.blocks.size(), 0.0);
+  const std::vector<ControlMove> moves = controlMoves(program, control, axes);
+  const std::vector<double> ends = MotionTimer(control, axes, tolerance).ends(moves);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    time.blocks[moves[i].block] = ends[i] - time.seconds;
+    time.seconds = ends[i];
+  }
+  return time;
+}
+
+AxisDynamics
+dynamicsFor(const MachineProgram& program, const ControlModel& control)
+{
+  AxisDynamics axes = dynamicsOf(program.machine);
+  if (!control.takes_jerk)
+    axes.jerk.setConstant(std::numeric_limits<double>::infinity());
+  return axes;
+}
+
+double
+secondsAtFeed(const MachineProgram& program, const ControlModel& control, const AxisDynamics& axes)
+{
+  double seconds = 0.0;
+  for (const ControlMove& move : controlMoves(program, control, axes))
+    seconds += move.length / move.speed;
+  return seconds;
+}
+
+/** \p control with corners of rotary moves as it would round them. */
+ControlModel
+withRoundedTurns(ControlModel control)
+{
+  if (control.rotary_corner == CornerRule::Overlap || control.rotary_corner == CornerRule::Stop)
+    control.rotary_corner = CornerRule::AxisRounding;
+  return control;
+}
+
+MotionLosses
+lossesOf(const MachineProgram& program, const MotionStudy& study, const AxisDynamics& axes)
+{
+  const auto with = [&](const ControlModel& control) { return timeOf(program, control, axes, study.tolerance).seconds; };
+  MotionLosses losses;
+  ControlModel control = withRoundedTurns(study.control);
+  const double rounded = with(control);
+  control.look_ahead = program.blocks.size() * 2;
+  control.least_cycles = 0.0;
+  const double seen = with(control);
+  control.corner = control.rotary_corner = CornerRule::Free;
+  const double straight = with(control);
+  losses.at_feed = secondsAtFeed(program, study.control, axes);
+  losses.ramps = straight - losses.at_feed;
+  losses.corners = seen - straight;
+  losses.short_blocks = rounded - seen;
+  losses.rotary = study.time.seconds - rounded;
+  return losses;
+}
+
+void
+addGains(const MachineProgram& program, const AxisDynamics& axes, MotionStudy& study)
+{
+  const auto add = [&](MotionChange change, double seconds) { study.gains.push_back({change, study.time.seconds - seconds}); };
+  MachineProgram faster = program;
+  for (ProgramBlock& block : faster.blocks)
+    block.minutes /= feed_step;
+  add(MotionChange::Feed, timeOf(faster, study.control, axes, study.tolerance).seconds);
+  AxisDynamics stronger = axes;
+  stronger.acceleration *= acceleration_step;
+  add(MotionChange::Acceleration, timeOf(program, study.control, stronger, study.tolerance).seconds);
+  add(MotionChange::Tolerance, timeOf(program, study.control, axes, tolerance_step * study.tolerance).seconds);
+  if (study.losses.rotary > 0.0)
+    add(MotionChange::RotaryBlend, study.time.seconds - study.losses.rotary);
+}
+
+bool
+takesUsualAxes(const Machine& machine)
+{
+  const auto lacks = [](const AxisRange& range) { return !range.largest_acceleration; };
+  return std::any_of(machine.linear.begin(), machine.linear.end(), lacks) ||
+         (!machine.three_axes && (lacks(machine.rotary[0].range) || lacks(machine.rotary[1].range)));
+}
+
+} // namespace
+
+ControlModel
+controlModel(ControlKind kind, const Machine& machine)
+{
+  ControlModel model = controlModel(kind);
+  if (machine.control.look_ahead)
+    model.look_ahead = static_cast<std::size_t>(*machine.control.look_ahead);
+  if (machine.control.rounds_rotary_corners)
+    model.rotary_corner = *machine.control.rounds_rotary_corners ? CornerRule::AxisRounding : CornerRule::Stop;
+  return model;
+}
+
+std::optional<MotionTime>
+motionTime(const MachineProgram& program, const ControlModel& control, std::optional<double> tolerance)
+{
+  if (firstBadBlock(program) < program.blocks.size())
+    return {};
+  return timeOf(program, control, dynamicsFor(program, control), cornerTolerance(program, control, tolerance));
+}
+
+void
+sortGains(std::vector<MotionGain>& gains)
+{
+  std::stable_sort(gains.begin(), gains.end(), [](const MotionGain& a, const MotionGain& b) { return a.seconds > b.seconds; });
+}
+
+MotionStudy
+studyMotion(const MachineProgram& program, const ControlModel& control, std::optional<double> tolerance)
+{
+  MotionStudy study;
+  study.control = control;
+  study.tolerance = cornerTolerance(program, control, tolerance);
+  study.usual_axes = takesUsualAxes(program.machine);
+  if (const std::size_t bad = firstBadBlock(program); bad < program.blocks.size()) {
+    study.status = {StatusCode::InvalidInput, Diagnostic("block ", bad,
+                                                         " of the program has no finite place or time, so that its time is "
+                                                         "not known; give finite ones")};
+    return study;
+  }
+  const AxisDynamics axes = dynamicsFor(program, control);
+  study.time = timeOf(program, control, axes, study.tolerance);
+  study.losses = lossesOf(program, study, axes);
+  addGains(program, axes, study);
+  sortGains(study.gains);
+  study.status = Status::success();
+  return study;
+}
+
+} // namespace pcl_spiral
