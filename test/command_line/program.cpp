@@ -69,6 +69,22 @@ TEST(Program, FromAScanToWhatTheInterpreterRuns)
   EXPECT_EQ(linesWith(readText(folder.path("canon.txt")), "STRAIGHT_FEED("), linesWith(text, "G1 X"));
 }
 
+TEST(Program, TheTimeOnTheControlIsThatOfTheFirstProgram)
+{
+  const ScratchFolder folder;
+  const RunResult slow = run(folder, {"-o", "part.ngc", "-o", "part.json", "--machine", machines + "/xyzac.yaml", "--feed", "5000"});
+  ASSERT_EQ(slow.code, 0) << slow.err;
+  expectHas(slow.out, " on LinuxCNC with usual accelerations: ");
+  expectHas(slow.out, "would gain most a control that rounds corners of rotary moves");
+  const std::string json = readText(folder.path("part.json"));
+  for (const char* name : {"\"motion\": {", "\"control\": \"LinuxCNC\"", "\"rotary\": ", "\"chord_error\""})
+    expectHas(json, name);
+  const RunResult fast =
+      run(folder, {"-o", "part.mpf", "--machine", machines + "/head_head.yaml", "--tool", "3", "--feed", "5000", "--smoothing", "0.02"});
+  ASSERT_EQ(fast.code, 0) << fast.err;
+  expectHas(fast.out, " on Siemens with usual accelerations: ");
+}
+
 TEST(Program, EveryLanguageAndExchangeFileIsWritten)
 {
   const ScratchFolder folder;

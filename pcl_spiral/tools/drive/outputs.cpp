@@ -47,7 +47,7 @@ runFiles(const Job& job)
 DriveRun
 driveRun(const Job& job, const Result& result)
 {
-  return {{job, job.feed, result.program}, job.drive, !job.no_gouge_check, job.largest_part, job.thinning};
+  return {{job, job.feed, result.program, result.motion}, job.drive, !job.no_gouge_check, job.largest_part, job.thinning};
 }
 
 } // namespace

@@ -25,6 +25,7 @@ addProgram(const PassJob& job, const Machine& machine, PassResult& result)
 {
   ProgramPlanner planner = plannerOf(job, result);
   result.program = plannedProgram(job.program, machine, job.part, job.quiet, planner, result.warnings);
+  result.motion = studiedMotion(job.program, job.outputs, job.tolerance, planner, *result.program);
   if (job.cutter.radius > 0.0)
     for (const Diagnostic& warning : spindleWarnings(job.program, machine, job.outputs))
       result.warnings.push_back(warning);

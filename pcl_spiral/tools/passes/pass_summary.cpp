@@ -23,7 +23,7 @@ printPasses(const PassJob& job, const PassResult& result, const std::vector<std:
     std::printf("collisions      shank or holder at %zu locations, up to %.4g mm deep\n", f.collisions, f.deepest_collision);
   std::printf("path length     %.3f m of the tip\n", result.length / 1000.0);
   if (result.program)
-    printProgram(*result.program);
+    printProgram(*result.program, *result.motion);
   printFrames(job.program, result.moves, job.outputs);
   std::printf("time            %s\n", duration(seconds).c_str());
   if (job.verbose)

@@ -9,7 +9,9 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/machine_reader.h>
+#include <pcl_spiral/io/motion_text.h>
 
+#include <algorithm>
 #include <cstdio>
 
 using namespace pcl_spiral;
@@ -107,12 +109,24 @@ writeProgramFile(const ProgramJob& job, const MachineProgram& program, const Pro
   writeProgram(file, program, languageOf(job, output), headerOf(job.header, texts, job.machine_file, job.smoothing));
 }
 
+MotionStudy
+studiedMotion(const ProgramJob& job, const std::vector<std::string>& outputs, double chord_error, const ProgramPlanner& planner,
+              const MachineProgram& program)
+{
+  const auto first = std::find_if(outputs.begin(), outputs.end(), isProgram);
+  const Dialect dialect = first == outputs.end() ? job.dialect : languageOf(job, *first);
+  return studyProgram(planner, program, entryOf(dialect).control, job.smoothing.value_or(chord_error));
+}
+
 void
-printProgram(const MachineProgram& program)
+printProgram(const MachineProgram& program, const MotionStudy& motion)
 {
   const ProgramReport& report = program.report;
   std::printf("program         %s: %zu blocks, %zu added, %zu left out, %s at feed\n", program.machine.name.c_str(), program.blocks.size(),
               report.split_blocks, report.thinned_poses, duration(60.0 * report.minutes).c_str());
+  if (motion.status.ok())
+    std::printf("on the control  %s on %s%s: %s\nwould gain most %s\n", duration(motion.time.seconds).c_str(), motion.control.name,
+                motion.usual_axes ? " with usual accelerations" : "", lossesText(motion).c_str(), gainText(motion).c_str());
   if (report.links + report.blocked_links > 0)
     std::printf("links           %zu near the surface, %zu not free: the tool retracts; %.3g m and %s saved\n", report.links,
                 report.blocked_links, report.saved_way / 1000.0, duration(60.0 * report.saved_minutes).c_str());

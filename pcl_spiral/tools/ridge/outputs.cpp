@@ -76,7 +76,8 @@ writeReport(const Job& job, const Result& result, const std::string& file)
   RunFiles files{job.scan, job.read.unit, job.read.origin, filesOf(job), {}, job.options};
   files.shift = scanShift();
   files.words = programWords();
-  const RidgeRun run{{job, job.feed, result.program}, job.rail, job.generator, job.ridge, job.rows, job.through, job.half_width, job.ring};
+  const RidgeRun run{
+      {job, job.feed, result.program, result.motion}, job.rail, job.generator, job.ridge, job.rows, job.through, job.half_width, job.ring};
   writeRidgeReportJSON(file, files, run, result, result);
 }
 

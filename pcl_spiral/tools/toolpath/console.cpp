@@ -206,7 +206,7 @@ printSummary(const Job& job, const Result& result, double seconds)
   else
     printTogether(job, result);
   if (result.program)
-    printProgram(*result.program);
+    printProgram(*result.program, *result.motion);
   printFrames(job.program, result.moves, job.outputs);
   std::printf("time            %s\n", duration(seconds).c_str());
   if (job.verbose)

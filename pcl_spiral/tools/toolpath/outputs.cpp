@@ -145,6 +145,7 @@ writeReport(const Job& job, const Result& result, const std::string& title, cons
     if (region.verification)
       judged.push_back(*region.verification);
   RunReport report = reportOf(result.plan, judged);
+  report.motion = result.motion;
   if (extensionOf(file) == ".json")
     return writeReportJSON(file, files, report);
   report.pictures = pictures.files.forReport({PictureKind::Spiral, PictureKind::Lines, PictureKind::Rotary, PictureKind::Reach});

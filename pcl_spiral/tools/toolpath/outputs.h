@@ -12,6 +12,7 @@
 
 #include <pcl_spiral/io/output_files.h>
 #include <pcl_spiral/machine/machine_program.h>
+#include <pcl_spiral/machine/motion_time.h>
 #include <pcl_spiral/machine/tool_moves.h>
 #include <pcl_spiral/planning/program_planner.h>
 #include <pcl_spiral/planning/spiral_plan.h>
@@ -37,6 +38,7 @@ struct Result {
   pcl_spiral::Diagnostics reading;                   ///< warnings of the reader
   ScanSide side;                                     ///< what decides the side of the scan
   std::optional<pcl_spiral::MachineProgram> program; ///< if a machine is given
+  std::optional<pcl_spiral::MotionStudy> motion;     ///< of the program
   std::vector<pcl_spiral::ToolMoves> moves;          ///< with leads, if an output is CLDATA or has robot frames
 };
 

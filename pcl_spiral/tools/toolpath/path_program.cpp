@@ -26,6 +26,7 @@ addProgram(const Job& job, const Machine& machine, Result& result)
     warnings.push_back(warning);
   ProgramPlanner planner = plannerOf(job, result.plan);
   result.program = plannedProgram(job.program, machine, job.scan, job.quiet, planner, warnings);
+  result.motion = studiedMotion(job.program, job.outputs, job.settings.chord_error, planner, *result.program);
   if (!result.plan.regions.empty())
     result.links = linksOf(*result.program);
   clock.end("machine");

@@ -21,6 +21,7 @@ struct PassRun {
   PassSettings tool;                     ///< of the planner
   double feed = 1000.0;                  ///< mm/min
   std::optional<MachineProgram> program; ///< absent: none was made
+  std::optional<MotionStudy> motion;     ///< of the program; absent: its time is not known
 };
 
 /** Passes of DrivePlanner, with what it was told. */

@@ -7,6 +7,7 @@
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/io/report_page.h>
+#include <pcl_spiral/machine/motion_time.h>
 #include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/planning/spiral_plan.h>
 #include <pcl_spiral/spiral/spiral_report.h>
@@ -49,6 +50,7 @@ struct PathReport {
 /** A path with its settings. */
 struct RunReport : PathReport {
   SpiralSettings settings;             ///< as used
+  std::optional<MotionStudy> motion;   ///< of the program, if one was made
   std::optional<RunMesh> mesh;         ///< if the points are samples of a mesh
   std::vector<ReportPicture> pictures; ///< of the path
   std::vector<PathReport> regions;     ///< if there are several; what is above is then of all together, and each is judged on its own

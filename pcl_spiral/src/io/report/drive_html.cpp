@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "html_page.h"
 #include "io/cutter_text.h"
+#include "motion_report.h"
 #include "moved_places.h"
 #include "verification_html.h"
 
@@ -42,6 +43,9 @@ addPath(HtmlPage& page, const DriveRun& run, const PassPlan& result)
   if (run.program)
     rows.push_back({"Machine", formatted("%s, %zu blocks, %.1f min", run.program->machine.name.c_str(), run.program->blocks.size(),
                                          run.program->report.minutes)});
+  if (run.motion)
+    for (const auto& row : motionRows(*run.motion))
+      rows.push_back(row);
   page.addTable(rows, false);
 }
 

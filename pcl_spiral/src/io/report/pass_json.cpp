@@ -3,6 +3,7 @@
 
 #include "diagnostic_json.h"
 #include "io/byte_file.h"
+#include "motion_report.h"
 #include "moved_places.h"
 
 namespace pcl_spiral {
@@ -80,6 +81,8 @@ addPasses(const RunFiles& files, const PassRun& run, const PassPlan& plan, Json&
                          {"links", run.program->report.links},
                          {"blocked_links", run.program->report.blocked_links},
                          {"saved_way", run.program->report.saved_way}};
+  if (run.motion)
+    report["motion"] = motionJson(*run.motion);
 }
 
 void

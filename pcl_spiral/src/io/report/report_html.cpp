@@ -3,6 +3,7 @@
 
 #include "io/setting_names.h"
 #include "mesh/mesh_findings.h"
+#include "motion_report.h"
 #include "moved_places.h"
 #include <pcl_spiral/io/report_writer.h>
 
@@ -19,15 +20,6 @@ std::string
 place(const Eigen::Vector3d& p)
 {
   return formatted("%.3f, %.3f, %.3f mm", p.x(), p.y(), p.z());
-}
-
-std::string
-duration(double seconds)
-{
-  const auto minutes = static_cast<long>(seconds / 60.0 + 0.5);
-  return seconds < 60.0     ? formatted("%.1f s", seconds)
-         : seconds < 3600.0 ? formatted("%.1f min", seconds / 60.0)
-                            : formatted("%ld h %02ld min", minutes / 60, minutes % 60);
 }
 
 /** Figures of a path at constant scallop height. */
@@ -72,7 +64,7 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
   HtmlRows rows{{"Turns", std::to_string(r.turns)},
                 {"Points", std::to_string(r.path_points)},
                 {"Length", formatted("%.3f m", r.path_length / 1000.0)},
-                {"Machining time", duration(60.0 * r.path_length / s.feed) + formatted(" at %g mm/min", s.feed)},
+                {"Machining time at the feed", durationText(60.0 * r.path_length / s.feed) + formatted(" at %g mm/min", s.feed)},
                 {"Method", choiceName(r.method)},
                 {"Longest linear move", formatted("%.4g mm", r.largest_gap)},
                 {"Largest change of the axis in one move", formatted("%.3g\u00b0", r.largest_axis_change)}};
@@ -263,6 +255,10 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
   for (const ReportPicture& picture : run.pictures)
     html.addPicture(picture);
   addPath(html, report, settings);
+  if (run.motion) {
+    html.addHeading("Program");
+    html.addTable(motionRows(*run.motion), false);
+  }
   if (run.regions.empty())
     addSurface(html, files, run.mesh, report);
   html.addPart("Run");

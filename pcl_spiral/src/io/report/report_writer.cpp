@@ -2,6 +2,7 @@
 #include "diagnostic_json.h"
 #include "io/byte_file.h"
 #include "mesh_json.h"
+#include "motion_report.h"
 #include "moved_places.h"
 #include "run_options.h"
 #include "settings_json.h"
@@ -264,6 +265,8 @@ reportJSON(const RunFiles& of_run, const RunReport& given)
   if (settings.hole_size == 0.0)
     json["settings"]["hole_size"] = nullptr; // found from the scan
   addTries(run.attempts, files.words, json);
+  if (run.motion)
+    json["motion"] = motionJson(*run.motion);
   if (run.mesh)
     json["mesh"] = meshJson(*run.mesh);
   if (run.verification)

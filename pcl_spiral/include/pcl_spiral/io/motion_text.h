@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  The time of a program in words.
+ */
+#pragma once
+
+#include <pcl_spiral/machine/motion_time.h>
+
+#include <string>
+
+namespace pcl_spiral {
+
+/** What a change is called in JSON: feed, acceleration, tolerance, chord_error, rotary_blend. */
+const char* nameOf(MotionChange change);
+
+/** What the change does, such as "feed 1.5 times as high". */
+const char* wordsOf(MotionChange change);
+
+/** Where the time of \p study goes, in shares of it: "corners 12 %, rotary axes 60 %". */
+std::string lossesText(const MotionStudy& study);
+
+/** The change that gains most and its share of the time; if none gains a hundredth, that. */
+std::string gainText(const MotionStudy& study);
+
+} // namespace pcl_spiral
