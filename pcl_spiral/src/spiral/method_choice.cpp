@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/method_choice.h>
 
+#include "core/turn_time.h"
 #include "geodesic/distance_field.h"
 #include "spiral/lines/surface_centre.h"
 #include <pcl_spiral/core/diagnostic.h>
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/search/impl/point_selection.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
@@ -144,14 +146,6 @@ cornerText(const BoundaryLoop& rim, const std::vector<const BoundaryLoop*>& hole
   return {};
 }
 
-/** Time of a path of \p length with \p turns of \p radius, mm; feed in mm/s. */
-double
-machineTime(double length, double turns, double radius, double feed, double acceleration)
-{
-  const double slow = std::min(feed, std::sqrt(acceleration * radius));
-  return length / feed + turns * (feed - slow) * (feed - slow) / (acceleration * feed);
-}
-
 } // namespace
 
 SpiralMethod
@@ -182,8 +176,11 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
   const SurfaceGraph& graph = small || coarse.size() == 0 ? surface.graph() : coarse;
   const MlsSurface fit(graph);
   const double step_over = meanStepOver(fit, settings);
-  const double across = (areaOf(graph) + beside_points * graph.spacing() * rims) / step_over, feed = settings.feed / 60.0;
+  const double across = (areaOf(graph) + beside_points * graph.spacing() * rims) / step_over;
   const double turns = 2.0 * across / rims;
+  const TurnPace pace{settings.feed / 60.0, settings.acceleration, settings.chord_error,
+                      settings.max_step > 0.0 ? settings.max_step : settings.tool_radius};
+  const double middle = rims / (4.0 * pi), per_length = roundTime(pace, middle); // half as far round as the rims
   foresight.scallop_length = across + scallop_rims * rims;
   foresight.why_not_radial = whyNoRadial(holes, settings);
   foresight.radial_fails = !foresight.why_not_radial.empty();
@@ -197,10 +194,11 @@ foreseeMethods(const Surface& surface, const std::vector<BoundaryLoop>& loops, c
     foresight.radial_fails = true;
   }
   const double ridge_turns = uneven.value_or(2.0) > 1.02 ? 2.0 * turns : 0.0;
-  foresight.scallop_time = machineTime(foresight.scallop_length, ridge_turns, turn_radius * step_over, feed, settings.acceleration);
+  foresight.scallop_time =
+      per_length * foresight.scallop_length + ridge_turns * std::max(0.0, bendTime(pace, turn_radius * step_over, middle));
   if (uneven)
     foresight.radial_length = across * *uneven + radial_rims * rims;
-  foresight.radial_time = foresight.radial_length / feed;
+  foresight.radial_time = per_length * foresight.radial_length;
   const double worth = step_over < fine_turns * surface.spacing() ? fine_tie : tie;
   if (foresight.why_not_radial.empty() && foresight.radial_time <= worth * foresight.scallop_time)
     foresight.method = SpiralMethod::Radial;
