@@ -194,7 +194,7 @@ planDrive(DriveCall& call, const DrivePasses& passes)
   planner->setDrivePasses(passes);
   compute(planner, Run(call.keywords["progress"]), call.words);
   const auto plan = planOf<PassPlan>(planner);
-  const DriveRun run{{call.input.tool, call.feed, std::nullopt},
+  const DriveRun run{{call.input.tool, call.feed, std::nullopt, std::nullopt},
                      call.input.drive,
                      call.input.check_gouges,
                      call.surface.largest_part,
