@@ -153,7 +153,10 @@ TEST(RidgeRemedies, Rows)
   const auto step = row(&S::step_over, 4.0);
   expectNoFaults({
       rows("no setting defines", undecided,
-           {{"RidgeRowSettings::step_over", step}, {"RidgeRowSettings::spot_size", spot}, {"RidgeRowSettings::scallop_height", scallop}}),
+           {{"RidgeRowSettings::step_over", step},
+            {"RidgeRowSettings::spot_size", spot},
+            {"RidgeRowSettings::tool_radius", scallop},
+            {"RidgeRowSettings::scallop_height", scallop}}),
       rows("the scallop height is ", [&](Ridge& r) { scallop(r), row(&S::scallop_height, 9.0)(r); },
            {{"RidgeRowSettings::scallop_height", scallop}}),
       rows("the spacing of points is ", row(&S::point_spacing, 0.0), {{"RidgeRowSettings::point_spacing", row(&S::point_spacing, 1.0)}}),
