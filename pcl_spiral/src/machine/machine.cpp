@@ -8,25 +8,32 @@
 namespace pcl_spiral {
 namespace {
 
+constexpr double least_limit = 1e-3, largest_limit = 1e9; // of acceleration and jerk: machines have 100 to 1e6, mm or degrees
+
 Status
 fault(const Machine& machine, const Diagnostic& what)
 {
   return {StatusCode::InvalidArgument, Diagnostic(machine.name.empty() ? std::string("machine") : machine.name, ": ", what)};
 }
 
+/** \p unit: mm or radians in one of the units that machine files have. */
 Diagnostic
-rangeFault(const std::string& axis, const AxisRange& range)
+rangeFault(const std::string& axis, const AxisRange& range, double unit)
 {
   if (!(range.lower < range.upper))
     return Diagnostic("the lower limit of ", axis, " is not below the upper one; give limits: [lower, upper]");
   if (!(range.largest_rate > 0.0))
     return Diagnostic("the largest rate of ", axis, " is ", range.largest_rate, "; it must be above 0");
-  const auto bad = [](const std::optional<double>& limit) { return limit && !(*limit > 0.0 && std::isfinite(*limit)); };
-  if (bad(range.largest_acceleration))
-    return Diagnostic("the largest acceleration of ", axis, " is ", *range.largest_acceleration,
-                      "; give a number above 0, or leave it out for the usual one");
-  if (bad(range.largest_jerk))
-    return Diagnostic("the largest jerk of ", axis, " is ", *range.largest_jerk, "; give a number above 0, or leave it out for none");
+  const auto isBad = [unit](const std::optional<double>& limit) {
+    return limit && !(*limit >= least_limit * unit && *limit <= largest_limit * unit);
+  };
+  const auto text = [&](const char* name, double limit, const char* without) {
+    return Diagnostic(name, axis, " is ", limit / unit, "; give a number from 0.001 to 1000000000, or leave it out for ", without);
+  };
+  if (isBad(range.largest_acceleration))
+    return text("the largest acceleration of ", *range.largest_acceleration, "the usual one");
+  if (isBad(range.largest_jerk))
+    return text("the largest jerk of ", *range.largest_jerk, "none");
   return {};
 }
 
@@ -41,7 +48,7 @@ rotaryFault(const RotaryAxis& axis)
     return Diagnostic("the point of ", axis.letter, " is not finite; give one such as [0, 0, 0]");
   if (!std::isfinite(axis.range.largest_rate))
     return Diagnostic("no largest rate of ", axis.letter, " is given; give max_rpm, such as 20");
-  if (const Diagnostic what = rangeFault(std::string(1, axis.letter), axis.range); !what.empty())
+  if (const Diagnostic what = rangeFault(std::string(1, axis.letter), axis.range, pi / 180.0); !what.empty())
     return what;
   if (!(axis.home >= axis.range.lower && axis.home <= axis.range.upper))
     return Diagnostic("home of ", axis.letter, " lies beyond its limits; give a value within them");
@@ -89,7 +96,7 @@ Status
 checkMachine(const Machine& machine)
 {
   for (int i = 0; i < 3; ++i)
-    if (const Diagnostic what = rangeFault(std::string(1, "XYZ"[i]), machine.linear[i]); !what.empty())
+    if (const Diagnostic what = rangeFault(std::string(1, "XYZ"[i]), machine.linear[i], 1.0); !what.empty())
       return fault(machine, what);
   if (!machine.three_axes)
     if (const Status status = checkRotary(machine); !status.ok())

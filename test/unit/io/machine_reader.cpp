@@ -127,10 +127,12 @@ TEST(MachineReader, LimitsOfAccelerationAndJerkAreRead)
   for (const char* bad : {"0", "-5"}) {
     const std::string value = bad;
     expectHas(said(whole + "linear: {Y: {max_acceleration: " + value + "}}\n"),
-              "the largest acceleration of Y is " + value + "; give a number above 0, or leave it out for the usual one");
-    expectHas(said(replaced("max_rpm: 10", "max_rpm: 10, max_jerk: " + value)), "the largest jerk of A is ");
+              "the largest acceleration of Y is " + value + "; give a number from 0.001 to ");
+    expectHas(said(replaced("max_rpm: 10", "max_rpm: 10, max_jerk: " + value)), "the largest jerk of A is " + value + "; ");
     expectHas(said(whole + "control: {look_ahead: " + value + "}\n"), "the look-ahead of the control is " + value);
   }
+  for (const char* bad : {"1e-300", "1e300"})
+    expectHas(said(whole + "linear: {Y: {max_acceleration: " + bad + "}}\n"), "the largest acceleration of Y is ");
   expectHas(said(whole + "linear: {Y: {max_acceleration: .nan}}\n"), "max_acceleration of Y is not finite");
   expectHas(said(whole + "control: {depth: 3}\n"), "'depth' is not a setting of control; its settings are look_ahead");
 }
