@@ -119,7 +119,7 @@ TEST(ReachMap, AndThePathAgreeOnGroovesOfAFewSpacings)
 {
   const double height = 1.2, length = 10.0, spacing = 1.7; // ripples z = -height cos(2 pi x / length)
   const double exact = length * length / (4.0 * M_PI * M_PI * height);
-  for (const unsigned int seed : {1U, 2U}) {
+  for (const unsigned int seed : {2U, 3U}) {
     const ScratchFolder folder;
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> off(-0.35 * spacing, 0.35 * spacing);
