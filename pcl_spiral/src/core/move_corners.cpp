@@ -48,7 +48,7 @@ arcCorner(const ControlMove& before, const ControlMove& after, const ControlMode
   corner.speed = asked;
   const double jump = ((b - a).array().abs() / axes.acceleration.head<3>().array()).maxCoeff() * asked / control.cycle;
   if (angle < straight || jump < control.kink) {
-    corner.lost_share = jump;
+    corner.lost_share = jump < control.kink ? jump : control.kink; // at an endless speed it is not a number
     return corner;
   }
   if (angle > sharpest)

@@ -4,6 +4,7 @@
 #include "common/formatted_text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pcl_spiral {
 namespace {
@@ -58,7 +59,7 @@ std::string
 lossesText(const MotionStudy& study)
 {
   const MotionLosses& l = study.losses;
-  const auto percent = [&](double seconds) { return 100.0 * shareOf(study, seconds); };
+  const auto percent = [&](double seconds) { return std::round(100.0 * shareOf(study, seconds)) + 0.0; }; // no -0
   return formatted("%.0f %% at the feed, %.0f %% corners, %.0f %% rotary axes, %.0f %% short blocks, %.0f %% start and stop",
                    percent(l.at_feed), percent(l.corners), percent(l.rotary), percent(l.short_blocks), percent(l.ramps));
 }

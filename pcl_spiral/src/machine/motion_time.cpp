@@ -77,7 +77,9 @@ lossesOf(const MachineProgram& program, const MotionStudy& study, const AxisDyna
 {
   const auto with = [&](const ControlModel& control) { return timeOf(program, control, axes, study.tolerance).seconds; };
   MotionLosses losses;
-  ControlModel control = withRoundedTurns(study.control);
+  const std::vector<ControlMove> moves = controlMoves(program, study.control, axes);
+  const bool turns = std::any_of(moves.begin(), moves.end(), [](const ControlMove& move) { return move.turns; });
+  ControlModel control = turns ? withRoundedTurns(study.control) : study.control;
   const double rounded = with(control);
   control.look_ahead = program.blocks.size() * 2;
   control.least_cycles = 0.0;
@@ -103,7 +105,8 @@ addGains(const MachineProgram& program, const AxisDynamics& axes, MotionStudy& s
   AxisDynamics stronger = axes;
   stronger.acceleration *= acceleration_step;
   add(MotionChange::Acceleration, timeOf(program, study.control, stronger, study.tolerance).seconds);
-  add(MotionChange::Tolerance, timeOf(program, study.control, axes, tolerance_step * study.tolerance).seconds);
+  if (study.tolerance > 0.0)
+    add(MotionChange::Tolerance, timeOf(program, study.control, axes, tolerance_step * study.tolerance).seconds);
   if (study.losses.rotary > 0.0)
     add(MotionChange::RotaryBlend, study.time.seconds - study.losses.rotary);
 }

@@ -205,4 +205,28 @@ TEST(MotionTime, PlacesThatAreNoNumbersAreRefused)
   EXPECT_EQ(motionTime(MachineProgram(), controlModel(ControlKind::Fanuc))->seconds, 0.0);
 }
 
+TEST(MotionTime, RapidsInALineOnAMachineWithoutLimitsTakeAFiniteTime)
+{
+  MachineProgram program = programFrom(1000.0);
+  for (AxisRange& axis : program.machine.linear)
+    axis.largest_rate = std::numeric_limits<double>::infinity();
+  for (const double way : {30.0, 20.0, 50.0})
+    add(program, {0.0, 0.0, way}, 0.0);
+  const double seconds = secondsOf(program, controlModel(ControlKind::LinuxCNC));
+  EXPECT_GE(seconds, 2.0 * std::sqrt(100.0 / 1000.0)); // from rest to rest
+  EXPECT_LT(seconds, 4.0 * std::sqrt(100.0 / 1000.0));
+}
+
+TEST(MotionTime, WithoutRotaryMovesNothingIsLostToRotaryAxes)
+{
+  MachineProgram program = programFrom(1000.0);
+  for (int i = 0; i < 20; ++i)
+    add(program, {5.0, i % 2 ? 1.0 : -1.0, 0.0}, 100.0);
+  add(program, {0.0, 0.0, 100.0}, 0.0);
+  const MotionStudy study = studyMotion(program, controlModel(ControlKind::LinuxCNC), 0.01);
+  EXPECT_EQ(study.losses.rotary, 0.0);
+  for (const MotionGain& gain : study.gains)
+    EXPECT_NE(gain.change, MotionChange::RotaryBlend);
+}
+
 } // namespace motion_time_test
