@@ -13,6 +13,7 @@
 namespace pcl_spiral::test {
 namespace {
 
+constexpr long most_cycles = 100000000; // 28 hours of the machine
 constexpr const char* module_file = "/usr/lib/linuxcnc/modules/tpmod.so";
 constexpr double cycle = 1e-3; ///< s, of the servo thread
 constexpr int most_queued = 1000;
@@ -115,6 +116,8 @@ runLinuxCNC(const std::vector<CanonicalMotion>& motions, const LinuxCNCAxes& axe
   std::size_t reached = 1; // motions that have begun
   AxisPlace place{};
   for (long cycles = 1; time.fault.empty(); ++cycles) {
+    if (cycles > most_cycles)
+      time.fault = "it does not end";
     while (!feeder.isEmpty() && linuxcnc_planner_queued(planner.get()) < most_queued) {
       const linuxcnc_line line = feeder.take();
       if (linuxcnc_planner_add(planner.get(), &line) < 0)
