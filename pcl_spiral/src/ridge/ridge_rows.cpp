@@ -28,7 +28,8 @@ invalid(const Diagnostic& message)
 Status
 checkSettings(const RidgeRowSettings& s)
 {
-  const int told = (s.step_over != 0.0) + (s.spot_size != 0.0) + (s.tool_radius != 0.0);
+  const bool by_scallop = s.tool_radius != 0.0 || s.scallop_height != 0.0;
+  const int told = (s.step_over != 0.0) + (s.spot_size != 0.0) + by_scallop;
   if (told != 1)
     return invalid(Diagnostic(
         told == 0 ? "no setting defines" : "more than one setting defines",
@@ -39,7 +40,7 @@ checkSettings(const RidgeRowSettings& s)
   if (!(s.tool_radius >= 0.0 && s.tool_radius <= longest_ridge_setting))
     return invalid(
         Diagnostic("the tool radius is ", s.tool_radius, " {mm}: set it from 0 to ", longest_ridge_setting, " {mm} ({setToolRadius})"));
-  if (s.tool_radius > 0.0 && !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
+  if (by_scallop && !(s.scallop_height > 0.0 && s.scallop_height < s.tool_radius))
     return invalid(Diagnostic("the scallop height is ", s.scallop_height, " {mm}: set it above 0 and below the tool radius, ",
                               s.tool_radius, " {mm} ({setScallopHeight})"));
   return Status::success();

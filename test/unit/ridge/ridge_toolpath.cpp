@@ -224,6 +224,13 @@ TEST(RidgeToolpath, RefusesWhatCannotBe)
   refused([](Ridge& r) { r.setInputGenerator(nullptr); }, "the generator is missing or empty");
   refused([](Ridge& r) { r.setStepOver(0.0); }, "no setting defines how far rows are apart");
   refused([](Ridge& r) { r.setSpot(4.0, 0.0); }, "more than one setting defines");
+  refused([](Ridge& r) { r.setScallopHeight(0.02); }, "more than one setting defines");
+  refused(
+      [](Ridge& r) {
+        r.setStepOver(0.0);
+        r.setScallopHeight(0.02);
+      },
+      "below the tool radius, 0 mm");
   refused(
       [](Ridge& r) {
         r.setStepOver(0.0);
