@@ -33,8 +33,8 @@ studyProgram(ProgramPlanner planner, const MachineProgram& program, ControlKind 
   MotionStudy study = studyMotion(program, control, tolerance);
   if (!study.status.ok() || !(study.tolerance > 0.0))
     return study;
-  if (const MachineProgram longer = thinned(planner, study.tolerance); !longer.blocks.empty())
-    study.gains.push_back({MotionChange::ChordError, study.time.seconds - motionTime(longer, control, study.tolerance)->seconds});
+  if (const auto time = motionTime(thinned(planner, study.tolerance), control, study.tolerance); time && !time->blocks.empty())
+    study.gains.push_back({MotionChange::ChordError, study.time.seconds - time->seconds});
   sortGains(study.gains);
   return study;
 }

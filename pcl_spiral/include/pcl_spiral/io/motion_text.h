@@ -16,7 +16,7 @@ const char* nameOf(MotionChange change);
 /** What the change does, such as "feed 1.5 times as high". */
 const char* wordsOf(MotionChange change);
 
-/** Where the time of \p study goes, in shares of it: "corners 12 %, rotary axes 60 %". */
+/** Where the time of \p study goes, in shares of it: "47 % at the feed, 0 % corners, 53 % rotary axes, ...". */
 std::string lossesText(const MotionStudy& study);
 
 /** The change that gains most and its share of the time; if none gains a hundredth, that. */
