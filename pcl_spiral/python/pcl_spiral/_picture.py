@@ -68,7 +68,7 @@ def svg(path, part):
     edge = 0.06 * np.ptp(contacts, axis=0).max() + 1e-6  # of the part around the path
     low, high = contacts.min(axis=0) - edge, contacts.max(axis=0) + edge
     part, size = part[((part >= low) & (part <= high)).all(axis=1)], high - low
-    scale = (WIDTH - 2 * MARGIN) / max(size[0], size[1])
+    scale = (WIDTH - 2 * MARGIN) / size.max()  # so that neither picture is higher than wide
     rows, steps = _thinned(path), _steps(path)
     cell = (WIDTH - 2 * MARGIN) / np.clip(np.sqrt(len(part)) / 2, 20, CELLS)
     shapes, top = "", MARGIN

@@ -81,7 +81,8 @@ checkRows(const DriveSettings& s)
   const double radius = s.cutter ? s.cutter->radius : 0.0;
   if (!isPositive(radius) || !(s.scallop_height > 0.0 && s.scallop_height < radius))
     return bad(Diagnostic("for rows kept to a scallop height the cutter's radius is ", radius, " {mm} and the scallop height ",
-                          s.scallop_height, " {mm}; set both above 0, and the height below the radius ({setScallopHeight})"));
+                          s.scallop_height,
+                          " {mm}; set the radius above 0 ({setCutter}), and the height above 0 and below the radius ({setScallopHeight})"));
   return Status::success();
 }
 

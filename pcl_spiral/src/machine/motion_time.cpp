@@ -26,7 +26,7 @@ firstBadBlock(const MachineProgram& program)
 {
   const auto bad = std::find_if(program.blocks.begin(), program.blocks.end(), [](const ProgramBlock& block) {
     return !block.tip.allFinite() || !block.machine.allFinite() || !std::isfinite(block.angles.first) ||
-           !std::isfinite(block.angles.second) || !std::isfinite(block.minutes);
+           !std::isfinite(block.angles.second) || !(block.minutes >= 0.0) || !std::isfinite(block.minutes);
   });
   return static_cast<std::size_t>(bad - program.blocks.begin());
 }
@@ -155,8 +155,8 @@ studyMotion(const MachineProgram& program, const ControlModel& control, std::opt
   study.usual_axes = takesUsualAxes(program.machine);
   if (const std::size_t bad = firstBadBlock(program); bad < program.blocks.size()) {
     study.status = {StatusCode::InvalidInput, Diagnostic("block ", bad,
-                                                         " of the program has no finite place or time, so that its time is "
-                                                         "not known; give finite ones")};
+                                                         " of the program has no finite place, or a time that is not finite "
+                                                         "or below 0, so that the machining time is not known; set them")};
     return study;
   }
   const AxisDynamics axes = dynamicsFor(program, control);

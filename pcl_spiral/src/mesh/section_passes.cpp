@@ -116,8 +116,9 @@ checkSettings(const SectionSettings& s)
   if (kept && !s.levels.empty())
     return bad("{setRows} asks for a constant scallop height, but levels are given: leave one of them out ({setRows}, {setLevels})");
   if (kept && (!(s.tool_radius > 0.0) || !std::isfinite(s.tool_radius) || !(s.scallop_height > 0.0) || !(s.scallop_height < s.tool_radius)))
-    return bad(Diagnostic("rows are kept for a ball of radius ", s.tool_radius, " {mm} and a scallop height of ", s.scallop_height,
-                          " {mm}: set both above 0, and the height below the radius ({setScallopHeight})"));
+    return bad(
+        Diagnostic("rows are kept for a ball of radius ", s.tool_radius, " {mm} and a scallop height of ", s.scallop_height,
+                   " {mm}: set the radius above 0 ({setToolRadius}), and the height above 0 and below the radius ({setScallopHeight})"));
   if (s.link_rows && !s.zigzag)
     return bad("rows that all run one way cannot be joined: each begins far from the end of the one before; call {setZigzag}(true), or "
                "{setLinkRows}(false)");

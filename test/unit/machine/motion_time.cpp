@@ -194,14 +194,19 @@ TEST(MotionTime, AGainIsTheTimeOfTheChangedProgram)
   EXPECT_GT(study.losses.rotary, 0.3 * study.time.seconds) << "LinuxCNC stops at rotary moves";
 }
 
-TEST(MotionTime, PlacesThatAreNoNumbersAreRefused)
+TEST(MotionTime, PlacesAndTimesThatNoProgramHasAreRefused)
 {
-  MachineProgram program = randomProgram(1, 0.1, true);
-  program.blocks[7].tip.y() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(motionTime(program, controlModel(ControlKind::LinuxCNC)));
-  const MotionStudy study = studyMotion(program, controlModel(ControlKind::LinuxCNC));
-  EXPECT_EQ(study.status.code(), StatusCode::InvalidInput);
-  EXPECT_EQ(study.status.message(), "block 7 of the program has no finite place or time, so that its time is not known; give finite ones");
+  const MachineProgram whole = randomProgram(1, 0.1, true);
+  MachineProgram no_place = whole, negative = whole;
+  no_place.blocks[7].tip.y() = std::numeric_limits<double>::quiet_NaN();
+  negative.blocks[7].minutes = -0.01;
+  for (const MachineProgram& program : {no_place, negative}) {
+    EXPECT_FALSE(motionTime(program, controlModel(ControlKind::LinuxCNC)));
+    const MotionStudy study = studyMotion(program, controlModel(ControlKind::LinuxCNC));
+    EXPECT_EQ(study.status.code(), StatusCode::InvalidInput);
+    EXPECT_EQ(study.status.message(), "block 7 of the program has no finite place, or a time that is not finite or below 0, so that the "
+                                      "machining time is not known; set them");
+  }
   EXPECT_EQ(motionTime(MachineProgram(), controlModel(ControlKind::Fanuc))->seconds, 0.0);
 }
 

@@ -165,7 +165,8 @@ TEST(DriveRemedies, Contradictions)
              }}}),
       onPlate("for rows kept to a scallop height",
               [](Drive& d) { d.setToolRadius(3.0), d.setScallopHeight(5.0), d.setRows(DriveRows::Kept); },
-              {{"setScallopHeight",
+              {{"setCutter", [](Drive& d) { d.setCutter(CutterShape::ball(60.0)); }},
+               {"setScallopHeight",
                 [](Drive& d) {
                   d.setToolRadius(3.0);
                   d.setScallopHeight(0.05);

@@ -31,7 +31,7 @@ motionRows(const MotionStudy& study)
   if (!study.status.ok())
     return {};
   HtmlRows rows{{formatted("Machining time on %s", study.control.name),
-                 durationText(study.time.seconds) + (study.usual_axes ? ", with usual accelerations: the machine file has none" : "")},
+                 durationText(study.time.seconds) + (study.usual_axes ? ", with usual accelerations for axes that have none in the machine file" : "")},
                 {"Where it goes", lossesText(study)}};
   for (const MotionGain& gain : study.gains)
     rows.push_back(

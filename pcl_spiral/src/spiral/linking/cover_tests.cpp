@@ -5,9 +5,7 @@
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace pcl_spiral {
@@ -20,16 +18,9 @@ namespace {
 constexpr double suspect = 0.42;
 constexpr double near_enough = 0.36;  // a segment nearer than this to a test point is not followed further
 constexpr double search_within = 1.5; // step-overs
-constexpr std::uint32_t none = 0xffffffffu;
-constexpr std::size_t none_near = NearestSegment::none;
+constexpr std::uint32_t none = Covering::none;
 constexpr std::size_t together = 128; // tests that look first where the one before found something; the same for any number of threads
-
-/** A triangle whose parts are tested. */
-struct TestedTriangle {
-  std::uint32_t triangle, parts;    ///< it is cut into parts * parts
-  std::size_t first;                ///< index of the first test
-  std::array<std::size_t, 3> seeds; ///< segments near its corners
-};
+constexpr std::size_t one_turn = 8;   // segments; decides only how soon a walk along the path ends
 
 /** Parts of a side of a weak triangle, of a quarter of a step-over at most. */
 std::uint32_t
@@ -38,90 +29,167 @@ partsOf(float edge)
   return static_cast<std::uint32_t>(std::max(1.0f, std::ceil(4.0f * edge)));
 }
 
-/** Tests in the middle of each part of \p tested. */
-void
-setTests(const StepOverMesh& mesh, const TestedTriangle& tested, CoverTests& tests)
+/** Weights of the corners of a triangle for the middle of part \p k of parts * parts. Parts lie in rows beside the side that faces the
+ *  first corner; in a row those that point up and down take turns. */
+std::array<double, 3>
+partWeights(std::uint32_t parts, std::size_t k)
 {
-  const auto& c = mesh.triangles.triangle(tested.triangle);
-  const auto parts = static_cast<double>(tested.parts);
-  std::size_t next = tested.first;
-  const auto set = [&](double a, double b) {
-    const double w[3] = {a / parts, b / parts, 1.0 - (a + b) / parts};
-    Eigen::Vector3d p = Eigen::Vector3d::Zero();
-    StepOverMetric m;
-    for (int i = 0; i < 3; ++i) {
-      p += w[i] * mesh.positions[c[i]];
-      m += mesh.metric[c[i]].times(w[i]);
-    }
-    tests.points[next] = p;
-    tests.metric[next] = m;
-    tests.seeds[next++] = tested.seeds[std::max_element(w, w + 3) - w];
-  };
-  for (std::uint32_t i = 0; i < tested.parts; ++i)
-    for (std::uint32_t j = 0; i + j < tested.parts; ++j) {
-      set(i + 1.0 / 3.0, j + 1.0 / 3.0);
-      if (i + j + 1 < tested.parts)
-        set(i + 2.0 / 3.0, j + 2.0 / 3.0);
-    }
+  std::uint32_t row = 0;
+  while (k >= 2 * (parts - row) - 1)
+    k -= 2 * (parts - row++) - 1;
+  const double off = k % 2 == 0 ? 1.0 / 3.0 : 2.0 / 3.0;
+  const double a = row + off, b = static_cast<double>(k / 2) + off;
+  return {a / parts, b / parts, 1.0 - (a + b) / parts};
 }
+
+/** Segments at which the walk along a path begins: those nearest to the places before, on two turns. */
+class LastSegments {
+public:
+  const std::array<std::uint32_t, 2>& get() const { return last_; }
+  void take(std::uint32_t segment)
+  {
+    if (segment == none || segment == last_[0])
+      return;
+    if (last_[0] == none || std::max(segment, last_[0]) - std::min(segment, last_[0]) > one_turn)
+      last_[1] = last_[0];
+    last_[0] = segment;
+  }
+
+private:
+  std::array<std::uint32_t, 2> last_{none, none};
+};
 
 } // namespace
 
-void
-CoverTests::add(const Eigen::Vector3d& p, const StepOverMetric& m)
-{
-  points.push_back(p);
-  metric.push_back(m);
-  seeds.push_back(NearestSegment::none);
-}
-
-void
-CoverTests::reserve(std::size_t size)
-{
-  points.reserve(size);
-  metric.reserve(size);
-  seeds.reserve(size);
-}
-
-void
-CoverTests::resize(std::size_t size)
-{
-  points.resize(size);
-  metric.resize(size);
-  seeds.resize(size, NearestSegment::none);
-}
-
-/** Neighbours in the order of the tests are near each other: a walk along the path from where they are nearest is often enough. */
 bool
-CoverTests::measure(const SegmentSet& lines, std::size_t first, double exact, const std::function<bool(double)>& progress)
+CoverTests::run(const SegmentSet& line, const ProgressCallback& progress)
 {
-  nearest.resize(points.size());
-  const auto blocks = static_cast<std::int64_t>((points.size() - first + together - 1) / together);
+  chooseNodes();
+  if (!measure(line, 0, suspect, partOf(progress, 0.0, 0.5, "coverage")))
+    return false;
+  chooseTriangles();
+  if (!measure(line, nodes_.size(), covered, partOf(progress, 0.5, 1.0, "coverage")))
+    return false;
+  const auto count = static_cast<std::int64_t>(size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i)
+    if (std::uint32_t& segment = nearest_[i].segment; segment != none)
+      segment = static_cast<std::uint32_t>(line.label(segment) + line.place(segment));
+  return true;
+}
+
+void
+CoverTests::chooseNodes()
+{
+  nodes_.reserve(static_cast<std::size_t>(std::count(field_.is_fine.begin(), field_.is_fine.end(), 1)));
+  for (std::uint32_t v = 0; v < mesh_.size(); ++v)
+    if (field_.is_fine[v])
+      nodes_.push_back(v);
+  nearest_.resize(nodes_.size());
+}
+
+/** Triangles that may hide an uncovered place though their corners are covered. */
+void
+CoverTests::chooseTriangles()
+{
+  std::vector<std::uint32_t> index(mesh_.size(), none);
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    index[nodes_[i]] = static_cast<std::uint32_t>(i);
+  links_begin_ = nodes_.size();
+  const auto test = [&](std::size_t triangle, std::uint32_t parts, const std::array<std::uint32_t, 3>& seeds) {
+    tested_.push_back({static_cast<std::uint32_t>(triangle), parts, links_begin_, seeds});
+    links_begin_ += parts * parts;
+  };
+  for (std::size_t t = 0; t < mesh_.triangles.triangleCount(); ++t) {
+    const auto& c = mesh_.triangles.triangle(t);
+    if (index[c[0]] == none || index[c[1]] == none || index[c[2]] == none) {
+      if (field_.is_weak[t])
+        test(t, partsOf(std::max({field_.edge[c[0]], field_.edge[c[1]], field_.edge[c[2]]})), {none, none, none});
+    }
+    else {
+      const Covering &a = nearest_[index[c[0]]], &b = nearest_[index[c[1]]], &d = nearest_[index[c[2]]];
+      if (std::max({a.distance, b.distance, d.distance}) > suspect)
+        test(t, 2, {a.segment, b.segment, d.segment});
+    }
+  }
+  nearest_.resize(size());
+}
+
+/** The middle of a part of \p tested; \p seed: a segment near the nearest corner. */
+CoverPlace
+CoverTests::partPlace(const TestedTriangle& tested, std::size_t part, std::uint32_t& seed) const
+{
+  const auto& c = mesh_.triangles.triangle(tested.triangle);
+  const std::array<double, 3> w = partWeights(tested.parts, part);
+  CoverPlace place{Eigen::Vector3d::Zero(), {}};
+  for (int i = 0; i < 3; ++i) {
+    place.point += w[i] * mesh_.positions[c[i]];
+    place.metric += mesh_.metric[c[i]].times(w[i]);
+  }
+  seed = tested.seeds[std::max_element(w.begin(), w.end()) - w.begin()];
+  return place;
+}
+
+/** The place of \p test, which is not before that of the first test of \p tested: the triangle from which on it is looked for, and in which
+ *  it was found. */
+CoverPlace
+CoverTests::placeAt(std::size_t test, std::size_t& tested, std::uint32_t& seed) const
+{
+  seed = none;
+  if (test < nodes_.size())
+    return nodePlace(nodes_[test]);
+  if (test >= links_begin_)
+    return {path_.links[test - links_begin_], path_.link_metric[test - links_begin_]};
+  while (tested + 1 < tested_.size() && tested_[tested + 1].first <= test)
+    ++tested;
+  return partPlace(tested_[tested], test - tested_[tested].first, seed);
+}
+
+/** The last triangle whose tests do not begin after \p test; 0 if none does. */
+std::size_t
+CoverTests::triangleOf(std::size_t test) const
+{
+  const auto next = std::upper_bound(tested_.begin(), tested_.end(), test, [](std::size_t i, const auto& t) { return i < t.first; });
+  return next == tested_.begin() ? 0 : static_cast<std::size_t>(next - tested_.begin()) - 1;
+}
+
+CoverPlace
+CoverTests::place(std::size_t test) const
+{
+  std::size_t tested = test < nodes_.size() ? 0 : triangleOf(test);
+  std::uint32_t seed = none;
+  return placeAt(test, tested, seed);
+}
+
+/** Measure from index \p first on: the distances that are more than \p exact, and upper limits of the others. Neighbours in the order of
+ *  the tests are near each other: a walk along the path from where they are nearest is often enough. */
+bool
+CoverTests::measure(const SegmentSet& line, std::size_t first, double exact, const std::function<bool(double)>& progress)
+{
+  const auto blocks = static_cast<std::int64_t>((nearest_.size() - first + together - 1) / together);
   const auto measureBlock = [&](std::int64_t block) {
     const std::size_t begin = first + static_cast<std::size_t>(block) * together;
-    std::array<std::size_t, 2> last{NearestSegment::none, NearestSegment::none}; // of two turns
-    for (std::size_t i = begin; i < std::min(points.size(), begin + together); ++i) {
+    std::size_t tested = triangleOf(begin);
+    LastSegments last;
+    for (std::size_t i = begin; i < std::min(nearest_.size(), begin + together); ++i) {
+      std::uint32_t seed = none;
+      const CoverPlace at = placeAt(i, tested, seed);
       NearestSegment best;
       best.distance = search_within;
-      for (const std::size_t from : {seeds[i], last[0], last[1]}) {
-        if (from == NearestSegment::none || best.distance < near_enough)
+      for (const std::uint32_t from : {seed, last.get()[0], last.get()[1]}) {
+        if (from == none || best.distance < near_enough)
           continue;
-        const NearestSegment found = lines.along(points[i], metric[i], from, best.distance);
+        const NearestSegment found = line.along(at.point, at.metric, from, best.distance);
         if (found.segment != NearestSegment::none)
           best = found;
       }
       if (best.distance > exact) {
-        const NearestSegment found = lines.nearest(points[i], metric[i], best.distance);
+        const NearestSegment found = line.nearest(at.point, at.metric, best.distance);
         if (found.segment != NearestSegment::none)
           best = found;
       }
-      nearest[i] = best;
-      if (best.segment != NearestSegment::none && best.segment != last[0]) {
-        constexpr std::size_t one_turn = 8; // segments; decides only how soon a walk ends
-        if (last[0] == NearestSegment::none || std::max(best.segment, last[0]) - std::min(best.segment, last[0]) > one_turn)
-          last[1] = last[0];
-        last[0] = best.segment;
-      }
+      nearest_[i] = {best.distance, static_cast<std::uint32_t>(best.segment), static_cast<float>(best.share)};
+      last.take(nearest_[i].segment);
     }
   };
   return stoppableLoop(0, blocks, progress, measureBlock, together);
@@ -137,54 +205,6 @@ passLines(const LinkedPath& path)
              false, pass.begin);
   line.build();
   return line;
-}
-
-bool
-coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line, const ProgressCallback& progress,
-           CoverTests& tests)
-{
-  const StepOverMesh& mesh = field.mesh;
-  tests = CoverTests();
-  std::vector<std::uint32_t> index(mesh.size(), none);
-  tests.reserve(static_cast<std::size_t>(std::count_if(field.is_fine.begin(), field.is_fine.end(), [](auto fine) { return fine != 0; })));
-  for (std::uint32_t v = 0; v < mesh.size(); ++v)
-    if (field.is_fine[v]) {
-      index[v] = static_cast<std::uint32_t>(tests.size());
-      tests.add(mesh.positions[v], mesh.metric[v]);
-    }
-  if (!tests.measure(line, 0, suspect, partOf(progress, 0.0, 0.5, "coverage")))
-    return false;
-  const std::size_t nodes = tests.size();
-  std::vector<TestedTriangle> tested;
-  std::size_t count = nodes;
-  const auto test = [&](std::size_t triangle, std::uint32_t parts, const std::array<std::size_t, 3>& seeds) {
-    tested.push_back({static_cast<std::uint32_t>(triangle), parts, count, seeds});
-    count += parts * parts;
-  };
-  for (std::size_t t = 0; t < mesh.triangles.triangleCount(); ++t) {
-    const auto& c = mesh.triangles.triangle(t);
-    if (index[c[0]] == none || index[c[1]] == none || index[c[2]] == none) {
-      if (field.is_weak[t])
-        test(t, partsOf(std::max({field.edge[c[0]], field.edge[c[1]], field.edge[c[2]]})), {none_near, none_near, none_near});
-    }
-    else {
-      const NearestSegment &a = tests.nearest[index[c[0]]], &b = tests.nearest[index[c[1]]], &d = tests.nearest[index[c[2]]];
-      if (std::max({a.distance, b.distance, d.distance}) > suspect)
-        test(t, 2, {a.segment, b.segment, d.segment});
-    }
-  }
-  tests.reserve(count + path.links.size());
-  tests.resize(count);
-  const auto triangles = static_cast<std::int64_t>(tested.size());
-#pragma omp parallel for schedule(dynamic, 1024)
-  for (std::int64_t k = 0; k < triangles; ++k)
-    setTests(mesh, tested[k], tests);
-  std::vector<TestedTriangle>().swap(tested);
-  for (std::size_t i = 0; i < path.links.size(); ++i)
-    tests.add(path.links[i], path.link_metric[i]);
-  const bool whole = tests.measure(line, nodes, covered, partOf(progress, 0.5, 1.0, "coverage"));
-  std::vector<std::size_t>().swap(tests.seeds);
-  return whole;
 }
 
 } // namespace pcl_spiral

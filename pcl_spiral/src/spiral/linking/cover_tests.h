@@ -10,6 +10,7 @@
 #include <pcl_spiral/spiral/loop_linking.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -20,28 +21,62 @@ namespace pcl_spiral {
 /** A place farther than this from the path moves the path, step-overs. */
 constexpr double covered = 0.503;
 
-/** Places that must not be farther than half a step-over from a path. Parallel arrays. */
-struct CoverTests {
-  Polyline points;
-  std::vector<StepOverMetric> metric;
-  std::vector<std::size_t> seeds;      ///< a segment that may be near, or NearestSegment::none; empty when all are measured
-  std::vector<NearestSegment> nearest; ///< from the path, at most 1.5; upper limits where that is enough, see measure
+/** What of a path is nearest to a place. */
+struct Covering {
+  static constexpr std::uint32_t none = 0xffffffffu;
+  double distance = 0.0;        ///< step-overs, at most 1.5; an upper limit where that is enough
+  std::uint32_t segment = none; ///< from its point of the path to the next
+  float share = 0.0f;           ///< along it
+};
 
-  std::size_t size() const { return points.size(); }
-  void add(const Eigen::Vector3d& p, const StepOverMetric& m);
-  void reserve(std::size_t size);
-  void resize(std::size_t size);
-  /** Measure the distances, from index \p first on: those that are more than \p exact, and upper limits of the others. Returns false if
-   *  \p progress cancels. */
-  bool measure(const SegmentSet& lines, std::size_t first, double exact, const std::function<bool(double)>& progress);
+/** A place and its metric. */
+struct CoverPlace {
+  Eigen::Vector3d point;
+  StepOverMetric metric;
+};
+
+/** Places that must not be farther than half a step-over from a path: on and beside the ridges of a field, where it is not a true
+ *  distance, and at the links of the path: between the turns of ramps and about bridges. There are millions on large parts, so only
+ *  their distances are kept: a place is computed when it is asked for. */
+class CoverTests {
+public:
+  CoverTests(const StepOverDistance& field, const LinkedPath& path) : field_(field), mesh_(field.mesh), path_(path) {}
+
+  /** Measure the distances of all places from \p line, the points of the path. Returns false if \p progress cancels. */
+  bool run(const SegmentSet& line, const ProgressCallback& progress);
+
+  std::size_t size() const { return links_begin_ + path_.links.size(); }
+  CoverPlace place(std::size_t test) const;
+  const Covering& nearest(std::size_t test) const { return nearest_[test]; }
+  /** Forget the distances. */
+  void forgetNearest() { std::vector<Covering>().swap(nearest_); }
+
+private:
+  /** A triangle whose parts are tested. */
+  struct TestedTriangle {
+    std::uint32_t triangle, parts;      ///< it is cut into parts * parts
+    std::size_t first;                  ///< index of the first test
+    std::array<std::uint32_t, 3> seeds; ///< segments near its corners
+  };
+
+  void chooseNodes();
+  void chooseTriangles();
+  std::size_t triangleOf(std::size_t test) const;
+  CoverPlace nodePlace(std::uint32_t v) const { return {mesh_.positions[v], mesh_.metric[v]}; }
+  CoverPlace partPlace(const TestedTriangle& tested, std::size_t part, std::uint32_t& seed) const;
+  CoverPlace placeAt(std::size_t test, std::size_t& tested, std::uint32_t& seed) const;
+  bool measure(const SegmentSet& line, std::size_t first, double exact, const std::function<bool(double)>& progress);
+
+  const StepOverDistance& field_;
+  const StepOverMesh& mesh_;
+  const LinkedPath& path_;
+  std::vector<std::uint32_t> nodes_;   ///< the first tests
+  std::vector<TestedTriangle> tested_; ///< the next tests
+  std::size_t links_begin_ = 0;        ///< the links of the path are the last ones
+  std::vector<Covering> nearest_;
 };
 
 /** The passes of a path; a run's label is its first point. */
 SegmentSet passLines(const LinkedPath& path);
-
-/** Places on and beside the ridges of \p field, places where it is not a true distance, and places at the links of \p path: between
- *  the turns of ramps and about bridges. \p line holds the points of the path. Returns false if \p progress cancels. */
-bool coverTests(const StepOverDistance& field, const LinkedPath& path, const SegmentSet& line, const ProgressCallback& progress,
-                CoverTests& tests);
 
 } // namespace pcl_spiral

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <utility>
 
 namespace pcl_spiral {
@@ -39,6 +38,12 @@ struct NearPath {
   double share = 0.0; ///< along the nearest segment
 };
 
+/** How a point of the path moves. */
+struct Shift {
+  std::size_t point = 0;
+  Eigen::Vector3d by = Eigen::Vector3d::Zero();
+};
+
 /** A test point that a moving path may uncover: an upper limit of its distance, and the segment of which it was taken. */
 struct Watched {
   double distance = 0.0;     ///< includes how far the segment has moved since it was measured
@@ -52,7 +57,7 @@ struct Watched {
 
 class Mover {
 public:
-  Mover(const StepOverDistance& field, LinkedPath& path) : field_(field), path_(path) {}
+  Mover(const StepOverDistance& field, LinkedPath& path) : path_(path), tests_(field, path) {}
 
   bool run(double held, const ProgressCallback& progress, CoverFigures& figures)
   {
@@ -65,7 +70,7 @@ public:
       figures.farthest = doubtful_.empty() ? covered : watched_[doubtful_.front()].distance;
       if (doubtful_.empty())
         break;
-      figures.farthest_place = tests_.points[watched_[doubtful_.front()].test];
+      figures.farthest_place = tests_.place(watched_[doubtful_.front()].test).point;
       pull();
       if (!move())
         break;
@@ -75,93 +80,81 @@ public:
 
 private:
   bool watch(double held, const ProgressCallback& progress, CoverFigures& figures);
-  void findNear(const SegmentSet& line, const std::vector<std::size_t>& places, std::vector<std::uint8_t>& near) const;
+  void findNear(const std::vector<std::size_t>& places, std::vector<std::uint8_t>& near) const;
   NearPath nearPath(const Watched& at) const;
-  SegmentSet movingLines() const;
+  double distanceFrom(std::size_t segment, const CoverPlace& place, double& share) const;
   bool isStillCovered(Watched& at) const;
   void measure(Watched& at);
   bool measureDoubtful(const ProgressCallback& progress);
   void pull();
   bool isTaken(std::size_t centre) const;
-  void watchTests(const std::vector<std::uint8_t>& near, const std::vector<std::size_t>& dense);
+  void watchTests(const std::vector<std::uint8_t>& near);
   void cover(std::uint32_t w);
-  void raiseLimits(std::size_t segment);
+  void raiseLimits(std::size_t segment, double moved);
   bool move();
 
-  const StepOverDistance& field_;
   LinkedPath& path_;
   CoverTests tests_;
   std::vector<Watched> watched_;
   std::vector<std::uint32_t> doubtful_;   ///< watched whose limit is above covered
   std::vector<std::uint32_t> covered_by_; ///< one a segment of the path: the first of the watched that it covers
   std::vector<NearPath> near_paths_;
-  SegmentSet lines_;                   ///< the parts of the path that may move, as they were at first
-  std::vector<std::uint8_t> near_;     ///< one a point of the path: 1 within reach of an uncovered place
-  std::vector<std::uint8_t> moves_;    ///< the same without the held points
-  std::vector<Eigen::Vector3d> shift_; ///< one a point of the path, zero between rounds
-  std::vector<double> moved_;          ///< its length, step-overs, and one more
-  std::vector<std::uint8_t> taken_;    ///< the same: middles of this round's bells
-  std::vector<std::size_t> pulled_;    ///< points with a shift, some twice
-  std::vector<std::size_t> centres_;   ///< points taken
+  SegmentSet line_;                  ///< the path as it was at first
+  std::vector<std::size_t> dense_;   ///< one a point of it: where it is now, and the end
+  std::vector<std::uint8_t> moves_;  ///< one a point of the path: 1 within reach of an uncovered place, and not held
+  std::vector<std::uint8_t> taken_;  ///< the same: middles of this round's bells
+  std::vector<Shift> shifts_;        ///< of this round, in the order of its bells; some points come twice
+  std::vector<std::size_t> centres_; ///< points taken
 };
 
 /** Find the uncovered places, the parts of the path that may move towards them, and the test points these may uncover. */
 bool
 Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figures)
 {
-  auto line = std::make_unique<SegmentSet>(passLines(path_)); // not beside movingLines, which is as large
-  if (!coverTests(field_, path_, *line, partOf(progress, 0.0, 0.4), tests_))
+  line_ = passLines(path_);
+  if (!tests_.run(line_, partOf(progress, 0.0, 0.4)))
     return false;
   figures.farthest_before = covered;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < tests_.size(); ++i)
-    if (tests_.nearest[i].distance > covered) {
+    if (tests_.nearest(i).distance > covered) {
       places.push_back(i);
-      figures.farthest_before = std::max(figures.farthest_before, tests_.nearest[i].distance);
+      figures.farthest_before = std::max(figures.farthest_before, tests_.nearest(i).distance);
     }
   figures.farthest = figures.farthest_before;
   figures.places = places.size();
   if (places.empty())
     return true;
   std::vector<std::uint8_t> near(path_.points.size() + 1, 0); // the segment of a single point has a second end
-  findNear(*line, places, near);
-  const auto count = static_cast<std::int64_t>(tests_.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < count; ++i) // from now on of the path
-    if (std::size_t& segment = tests_.nearest[i].segment; segment != NearestSegment::none)
-      segment = line->label(segment) + line->place(segment);
-  line.reset();
-  std::vector<std::size_t> dense;
-  densify(near, held, cover_grain, path_, near_, moves_, dense);
-  shift_.assign(path_.points.size(), Eigen::Vector3d::Zero());
-  moved_.assign(path_.points.size() + 1, 0.0);
+  findNear(places, near);
+  densify(near, held, cover_grain, path_, moves_, dense_);
   taken_.assign(path_.points.size(), 0);
-  watchTests(near, dense);
-  lines_ = movingLines();
+  watchTests(near);
   return !progress || progress(1.0, "coverage");
 }
 
 /** Watch the tests that are uncovered, or covered by a segment that may move. \p near: the points of the path that may, as it
- *  was; \p dense: where these points are now. */
+ *  was. */
 void
-Mover::watchTests(const std::vector<std::uint8_t>& near, const std::vector<std::size_t>& dense)
+Mover::watchTests(const std::vector<std::uint8_t>& near)
 {
   covered_by_.assign(path_.points.size() + 1, Watched::none);
   for (std::size_t i = 0; i < tests_.size(); ++i) {
+    const Covering& by = tests_.nearest(i);
     Watched at;
-    at.distance = tests_.nearest[i].distance;
+    at.distance = by.distance;
     at.test = static_cast<std::uint32_t>(i);
-    if (const std::size_t p = tests_.nearest[i].segment; p != NearestSegment::none) {
-      const std::size_t parts = dense[p + 1] - dense[p];
+    if (const std::uint32_t p = by.segment; p != Covering::none) {
+      const std::size_t parts = dense_[p + 1] - dense_[p];
       if (!(at.distance > covered) && !near[p] && !near[p + 1])
         continue;
-      const auto part = std::min(parts - 1, static_cast<std::size_t>(tests_.nearest[i].share * static_cast<double>(parts)));
-      at.segment = static_cast<std::uint32_t>(dense[p] + part);
+      const auto part = std::min(parts - 1, static_cast<std::size_t>(by.share * static_cast<double>(parts)));
+      at.segment = static_cast<std::uint32_t>(dense_[p] + part);
     }
     watched_.push_back(at);
     cover(static_cast<std::uint32_t>(watched_.size() - 1));
   }
-  std::vector<NearestSegment>().swap(tests_.nearest);
+  tests_.forgetNearest();
 }
 
 /** Put a watched place to those of its segment, or to the doubtful ones. */
@@ -178,31 +171,34 @@ Mover::cover(std::uint32_t w)
 NearPath
 Mover::nearPath(const Watched& at) const
 {
-  std::vector<std::size_t> segments;
-  lines_.forSegmentsNear(tests_.points[at.test], tests_.metric[at.test], looked_at,
-                         [&](std::size_t s) { segments.push_back(lines_.label(s) + lines_.place(s)); });
+  std::vector<std::size_t> segments; // of the path as it was
+  const CoverPlace place = tests_.place(at.test);
+  line_.forSegmentsNear(place.point, place.metric, looked_at, [&](std::size_t s) { segments.push_back(line_.label(s) + line_.place(s)); });
   std::sort(segments.begin(), segments.end());
   NearPath near;
   for (const std::size_t s : segments) {
-    if (near.runs.empty() || s > near.runs.back().last + 2 || passOf(path_.passes, s) != passOf(path_.passes, near.runs.back().first))
-      near.runs.push_back({s, s + 1});
-    near.runs.back().last = std::max(near.runs.back().last, s + 1);
+    const std::size_t first = dense_[s], last = dense_[s + 1];
+    if (near.runs.empty() || first > near.runs.back().last || beginsPass(path_.passes, first))
+      near.runs.push_back({first, last});
+    near.runs.back().last = std::max(near.runs.back().last, last);
   }
   return near;
 }
 
 /** Mark the points of the path within reach of \p places. */
 void
-Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, std::vector<std::uint8_t>& near) const
+Mover::findNear(const std::vector<std::size_t>& places, std::vector<std::uint8_t>& near) const
 {
   const auto count = static_cast<std::int64_t>(places.size());
 #pragma omp parallel
   {
     std::vector<std::size_t> found;
 #pragma omp for schedule(dynamic, 256) nowait
-    for (std::int64_t i = 0; i < count; ++i)
-      line.forSegmentsNear(tests_.points[places[i]], tests_.metric[places[i]], moved_reach,
-                           [&](std::size_t s) { found.push_back(line.label(s) + line.place(s)); });
+    for (std::int64_t i = 0; i < count; ++i) {
+      const CoverPlace place = tests_.place(places[i]);
+      line_.forSegmentsNear(place.point, place.metric, moved_reach,
+                            [&](std::size_t s) { found.push_back(line_.label(s) + line_.place(s)); });
+    }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
 #pragma omp critical
@@ -211,36 +207,20 @@ Mover::findNear(const SegmentSet& line, const std::vector<std::size_t>& places, 
   }
 }
 
-/** The runs of the path that may move, with the point on either side; a run's label is its first point. */
-SegmentSet
-Mover::movingLines() const
+/** Distance of a place from \p segment of the path, or from its point if a pass ends there; \p share: where along it. */
+double
+Mover::distanceFrom(std::size_t segment, const CoverPlace& place, double& share) const
 {
-  SegmentSet lines;
-  const std::size_t n = path_.points.size();
-  const auto follows = [this, n](std::size_t i) { return i > 0 && i < n && !beginsPass(path_.passes, i); };
-  const auto counts = [&](std::size_t i) { return near_[i] || (follows(i) && near_[i - 1]) || (follows(i + 1) && near_[i + 1]); };
-  for (std::size_t i = 0; i < n;) {
-    std::size_t end = i;
-    while (end < n && counts(end) && (end == i || !beginsPass(path_.passes, end)))
-      ++end;
-    if (end > i)
-      lines.add(Polyline(path_.points.begin() + static_cast<std::ptrdiff_t>(i), path_.points.begin() + static_cast<std::ptrdiff_t>(end)),
-                false, i);
-    i = std::max(end, i + 1);
-  }
-  lines.build();
-  return lines;
+  const bool ends = segment + 1 == path_.points.size() || beginsPass(path_.passes, segment + 1);
+  return distanceFromSegment(place.point, place.metric, path_.points[segment], path_.points[ends ? segment : segment + 1], share);
 }
 
 /** Whether a place is covered by the segment of which its limit was taken, which has moved since; the limit is then taken of it again. */
 bool
 Mover::isStillCovered(Watched& at) const
 {
-  const std::size_t s = at.segment;
-  if (s + 1 >= path_.points.size())
-    return false;
   double share = 0.0;
-  const double d = distanceFromSegment(tests_.points[at.test], tests_.metric[at.test], path_.points[s], path_.points[s + 1], share);
+  const double d = distanceFrom(at.segment, tests_.place(at.test), share);
   if (d > covered)
     return false;
   at.distance = d;
@@ -252,11 +232,12 @@ void
 Mover::measure(Watched& at)
 {
   NearPath& near = near_paths_[at.near];
+  const CoverPlace place = tests_.place(at.test);
   double least = near.runs.empty() ? 0.0 : 1e30;
   for (const PathRun& run : near.runs)
     for (std::size_t s = run.first; s < run.last; ++s) {
       double share = 0.0;
-      const double d = distanceFromSegment(tests_.points[at.test], tests_.metric[at.test], path_.points[s], path_.points[s + 1], share);
+      const double d = distanceFrom(s, place, share);
       if (d < least) {
         least = d;
         at.segment = static_cast<std::uint32_t>(s);
@@ -322,25 +303,24 @@ Mover::pull()
       continue;
     taken_[centre] = 1;
     centres_.push_back(centre);
-    const Eigen::Vector3d foot = (1.0 - share) * path_.points[at.segment] + share * path_.points[at.segment + 1];
-    const Eigen::Vector3d way = (tests_.points[at.test] - foot) * ((at.distance - aim) / at.distance);
+    const std::size_t next = std::min<std::size_t>(at.segment + 1, path_.points.size() - 1);
+    const Eigen::Vector3d foot = (1.0 - share) * path_.points[at.segment] + share * path_.points[next];
+    const Eigen::Vector3d way = (tests_.place(at.test).point - foot) * ((at.distance - aim) / at.distance);
     const PassRange pass = passRanges(path_.passes, path_.points.size())[passOf(path_.passes, centre)];
     const std::size_t low = std::max(pass.begin, centre - std::min(centre, bell_points)),
                       high = std::min(pass.end - 1, centre + bell_points);
     for (std::size_t k = low; k <= high; ++k)
       if (moves_[k]) {
         const double off = static_cast<double>(k > centre ? k - centre : centre - k) / (static_cast<double>(bell_points) + 1.0);
-        shift_[k] += way * (0.5 * (1.0 + std::cos(pi * off)));
-        pulled_.push_back(k);
+        shifts_.push_back({k, way * (0.5 * (1.0 + std::cos(pi * off)))});
       }
   }
 }
 
 /** Raise the limits of those that \p segment covers by its move; those above covered become doubtful. */
 void
-Mover::raiseLimits(std::size_t segment)
+Mover::raiseLimits(std::size_t segment, double moved)
 {
-  const double moved = std::max(moved_[segment], moved_[segment + 1]);
   for (std::uint32_t w = std::exchange(covered_by_[segment], Watched::none); w != Watched::none;) {
     const std::uint32_t next = watched_[w].next;
     watched_[w].distance += moved;
@@ -353,24 +333,30 @@ Mover::raiseLimits(std::size_t segment)
 bool
 Mover::move()
 {
-  std::sort(pulled_.begin(), pulled_.end());
-  pulled_.erase(std::unique(pulled_.begin(), pulled_.end()), pulled_.end());
-  for (const std::size_t k : pulled_) {
-    path_.points[k] += damping * shift_[k];
-    moved_[k] = path_.metric[k].length(damping * shift_[k]);
+  std::stable_sort(shifts_.begin(), shifts_.end(), [](const Shift& a, const Shift& b) { return a.point < b.point; });
+  std::size_t before = 0; // the point moved before, and how far, step-overs
+  double moved_before = 0.0;
+  for (std::size_t i = 0; i < shifts_.size();) {
+    const std::size_t k = shifts_[i].point;
+    Eigen::Vector3d by = Eigen::Vector3d::Zero();
+    for (; i < shifts_.size() && shifts_[i].point == k; ++i)
+      by += shifts_[i].by;
+    path_.points[k] += damping * by;
+    const double moved = path_.metric[k].length(damping * by);
+    const bool follows = before + 1 == k && moved_before > 0.0;
+    if (moved_before > 0.0 && !follows)
+      raiseLimits(before, moved_before);
+    if (k > 0)
+      raiseLimits(k - 1, follows ? std::max(moved_before, moved) : moved);
+    before = k;
+    moved_before = moved;
   }
-  std::size_t next = 0; // each segment once
-  for (const std::size_t k : pulled_)
-    for (next = std::max(next, k - std::min<std::size_t>(k, 1)); next <= k; ++next)
-      raiseLimits(next);
-  for (const std::size_t k : pulled_) {
-    shift_[k].setZero();
-    moved_[k] = 0.0;
-  }
+  if (moved_before > 0.0)
+    raiseLimits(before, moved_before);
   for (const std::size_t c : centres_)
     taken_[c] = 0;
-  const bool any = !pulled_.empty();
-  pulled_.clear();
+  const bool any = !shifts_.empty();
+  shifts_.clear();
   centres_.clear();
   return any;
 }

@@ -10,8 +10,8 @@
 namespace pcl_spiral {
 
 void
-densify(const std::vector<std::uint8_t>& near, double held, double grain, LinkedPath& path, std::vector<std::uint8_t>& dense_near,
-        std::vector<std::uint8_t>& moves, std::vector<std::size_t>& places)
+densify(const std::vector<std::uint8_t>& near, double held, double grain, LinkedPath& path, std::vector<std::uint8_t>& moves,
+        std::vector<std::size_t>& places)
 {
   const auto count = static_cast<std::int64_t>(path.points.size());
   const auto before = [&](std::size_t i) { return i > 0 && !beginsPass(path.passes, i) ? i - 1 : i; }; // itself where a pass begins
@@ -39,7 +39,6 @@ densify(const std::vector<std::uint8_t>& near, double held, double grain, Linked
   dense.metric.resize(all);
   dense.reversed.resize(all);
   dense.turns.resize(all);
-  dense_near.resize(all);
   moves.resize(all);
 #pragma omp parallel for schedule(static, 4096)
   for (std::int64_t i = 0; i < count; ++i) {
@@ -51,8 +50,7 @@ densify(const std::vector<std::uint8_t>& near, double held, double grain, Linked
       dense.metric[k] = between(path.metric[b], path.metric[i], share);
       dense.reversed[k] = path.reversed[i];
       dense.turns[k] = path.turns[b] + static_cast<float>(share) * (path.turns[i] - path.turns[b]);
-      dense_near[k] = near[i] || isInside(i);
-      moves[k] = dense_near[k] && travelled[i] + share * step > held;
+      moves[k] = (near[i] || isInside(i)) && travelled[i] + share * step > held;
     }
   }
   for (std::size_t& begin : path.passes)
