@@ -86,11 +86,11 @@ parseCommandLine(int argc, const char* const* argv)
   return parseJob<Job>(argc, argv, optionTable, completeJob);
 }
 
-bool
-hasOption(const std::string& name)
+std::vector<std::string>
+ownOptions()
 {
   Job job;
-  return findOption(optionTable(job), name) != nullptr;
+  return namesOf(optionTable(job));
 }
 
 void

@@ -3,6 +3,7 @@
 
 #include "core/nearest_name.h"
 
+#include <algorithm>
 #include <cctype>
 
 using namespace pcl_spiral;
@@ -75,7 +76,8 @@ addSettings(OptionGroup& group, const std::vector<Setting>& settings)
 {
   for (const Setting& setting : settings) {
     const std::string name = setting.option;
-    if (!setting.by_table || findOption({group}, name))
+    const auto has_name = [&name](const Option& option) { return option.name == name; };
+    if (!setting.by_table || std::any_of(group.options.begin(), group.options.end(), has_name))
       continue;
     group.options.push_back({name, argumentOf(setting), helpOf(setting), [setting, name](const std::string& text) {
                                std::visit(TakeText{setting, name, text}, setting.target);
@@ -108,14 +110,20 @@ findOption(const OptionTable& table, const std::string& name)
   return nullptr;
 }
 
-std::string
-suggestion(const OptionTable& table, const std::string& name)
+std::vector<std::string>
+namesOf(const OptionTable& table)
 {
   std::vector<std::string> names;
   for (const OptionGroup& group : table)
     for (const Option& option : group.options)
       names.push_back(option.name);
-  const std::string nearest = nearestName(name, names);
+  return names;
+}
+
+std::string
+suggestion(const OptionTable& table, const std::string& name)
+{
+  const std::string nearest = nearestName(name, namesOf(table));
   return nearest.empty() ? std::string() : "; did you mean '" + nearest + "'?";
 }
 

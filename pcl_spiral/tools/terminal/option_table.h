@@ -49,6 +49,9 @@ const Option* findOption(const OptionTable& table, const std::string& name);
 /** Whether the option of that name may be given several times. */
 bool mayRepeat(const OptionTable& table, const std::string& name);
 
+/** The names of all options. */
+std::vector<std::string> namesOf(const OptionTable& table);
+
 /** "; did you mean 'scallop'?" if an option's name is similar; otherwise empty. */
 std::string suggestion(const OptionTable& table, const std::string& name);
 

@@ -9,6 +9,7 @@
 #include <pcl_spiral/ridge/ridge_rows.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -90,6 +91,13 @@ constexpr SettingWords settings[] = {
     {"BallReach", "reach", "--reach FILE"},
     {"setTightHandling(TightHandling::Refuse)", "tight", "--tight refuse"},
 };
+
+bool
+hasOption(const std::string& name)
+{
+  static const std::vector<std::string> own = ownOptions();
+  return std::find(own.begin(), own.end(), name) != own.end();
+}
 
 /** The options for the settings of a table. */
 template <typename Settings>

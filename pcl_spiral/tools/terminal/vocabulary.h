@@ -7,9 +7,10 @@
 #include <pcl_spiral/core/diagnostic.h>
 
 #include <string>
+#include <vector>
 
-/** Whether the program has that option, named without the dashes. Each program defines it from its own options. */
-bool hasOption(const std::string& name);
+/** The options of the program, without the dashes. Each program defines it. */
+std::vector<std::string> ownOptions();
 
 /** From now on what is said of a scan is said of a mesh: the points of this run are samples of one. */
 void speakOfMesh();

@@ -11,11 +11,11 @@ parseCommandLine(int argc, const char* const* argv)
   return parseJob<Job>(argc, argv, optionTable, checkJob);
 }
 
-bool
-hasOption(const std::string& name)
+std::vector<std::string>
+ownOptions()
 {
   Job job;
-  return findOption(optionTable(job), name) != nullptr;
+  return namesOf(optionTable(job));
 }
 
 void

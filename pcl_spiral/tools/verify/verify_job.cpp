@@ -151,11 +151,11 @@ parseVerifyCommandLine(int argc, const char* const* argv)
   return parseJob<VerifyJob>(argc, argv, optionTable, complete, {"file"});
 }
 
-bool
-hasOption(const std::string& name)
+std::vector<std::string>
+ownOptions()
 {
   VerifyJob job;
-  return findOption(optionTable(job), name) != nullptr;
+  return namesOf(optionTable(job));
 }
 
 void

@@ -38,11 +38,11 @@ parseViewCommandLine(int argc, const char* const* argv)
   return parseJob<ViewJob>(argc, argv, optionTable, complete, {"file"});
 }
 
-bool
-hasOption(const std::string& name)
+std::vector<std::string>
+ownOptions()
 {
   ViewJob job;
-  return findOption(optionTable(job), name) != nullptr;
+  return namesOf(optionTable(job));
 }
 
 void

@@ -4,6 +4,7 @@
 #include "spiral/path/moves_cross.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace pcl_spiral {
 namespace {
@@ -46,12 +47,13 @@ crossings(const Polyline& a, const Polyline& b)
 std::size_t
 chainCrossings(const CutLoops& loops, const std::vector<RampStrip>& chain)
 {
+  const auto ramps = static_cast<std::int64_t>(chain.size()) - 1;
   std::size_t count = 0;
-  Polyline ramp;
-  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    const Polyline before = std::move(ramp);
-    ramp = rampLine(loops, chain[i], chain[i + 1]);
-    count += crossings(before, ramp);
+#pragma omp parallel for schedule(dynamic, 4) reduction(+ : count)
+  for (std::int64_t i = 0; i < ramps; ++i) {
+    const Polyline ramp = rampLine(loops, chain[i], chain[i + 1]);
+    if (i > 0)
+      count += crossings(rampLine(loops, chain[i - 1], chain[i]), ramp);
     for (const RampStrip* s : {&chain[i], &chain[i + 1]}) {
       const ScallopLoop& loop = loops.loop(s->loop);
       const double reach = std::min(strip_reach, 0.5 * (loop.length() - s->length));

@@ -10,9 +10,11 @@
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 namespace pcl_spiral {
@@ -26,6 +28,14 @@ constexpr double cover_grain = 0.05; // of the path where it moves
 constexpr auto bell_points = static_cast<std::size_t>(bell / cover_grain);
 constexpr double damping = 0.7;
 constexpr int most_rounds = 24;
+
+/** How much of the shift in its middle a bell has so many points beside it. */
+const std::array<double, bell_points + 1> bell_shape = [] {
+  std::array<double, bell_points + 1> shape{};
+  for (std::size_t i = 0; i <= bell_points; ++i)
+    shape[i] = 0.5 * (1.0 + std::cos(pi * static_cast<double>(i) / (static_cast<double>(bell_points) + 1.0)));
+  return shape;
+}();
 
 /** Points first to last of a pass. */
 struct PathRun {
@@ -50,7 +60,6 @@ struct Watched {
   std::uint32_t segment = 0; ///< from its point of the path to the next
   std::uint32_t test = 0;    ///< the test point
   std::uint32_t near = none; ///< index of its NearPath, which is looked for when the limit is above covered
-  std::uint32_t next = none; ///< the next of those that are covered by the same segment
 
   static constexpr std::uint32_t none = 0xffffffffu;
 };
@@ -89,20 +98,19 @@ private:
   void pull();
   bool isTaken(std::size_t centre) const;
   void watchTests(const std::vector<std::uint8_t>& near);
-  void cover(std::uint32_t w);
-  void raiseLimits(std::size_t segment, double moved);
+  void raiseLimits();
   bool move();
 
   LinkedPath& path_;
   CoverTests tests_;
   std::vector<Watched> watched_;
-  std::vector<std::uint32_t> doubtful_;   ///< watched whose limit is above covered
-  std::vector<std::uint32_t> covered_by_; ///< one a segment of the path: the first of the watched that it covers
+  std::vector<std::uint32_t> doubtful_; ///< watched whose limit is above covered
   std::vector<NearPath> near_paths_;
   SegmentSet line_;                  ///< the path as it was at first
   std::vector<std::size_t> dense_;   ///< one a point of it: where it is now, and the end
   std::vector<std::uint8_t> moves_;  ///< one a point of the path: 1 within reach of an uncovered place, and not held
   std::vector<std::uint8_t> taken_;  ///< the same: middles of this round's bells
+  std::vector<double> moved_;        ///< one a point of it, and one more: how far this round moved it, step-overs
   std::vector<Shift> shifts_;        ///< of this round, in the order of its bells; some points come twice
   std::vector<std::size_t> centres_; ///< points taken
 };
@@ -129,6 +137,7 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
   findNear(places, near);
   densify(near, held, cover_grain, path_, moves_, dense_);
   taken_.assign(path_.points.size(), 0);
+  moved_.assign(path_.points.size() + 1, 0.0);
   watchTests(near);
   return !progress || progress(1.0, "coverage");
 }
@@ -138,7 +147,6 @@ Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figure
 void
 Mover::watchTests(const std::vector<std::uint8_t>& near)
 {
-  covered_by_.assign(path_.points.size() + 1, Watched::none);
   for (std::size_t i = 0; i < tests_.size(); ++i) {
     const Covering& by = tests_.nearest(i);
     Watched at;
@@ -151,21 +159,11 @@ Mover::watchTests(const std::vector<std::uint8_t>& near)
       const auto part = std::min(parts - 1, static_cast<std::size_t>(by.share * static_cast<double>(parts)));
       at.segment = static_cast<std::uint32_t>(dense_[p] + part);
     }
+    if (at.distance > covered)
+      doubtful_.push_back(static_cast<std::uint32_t>(watched_.size()));
     watched_.push_back(at);
-    cover(static_cast<std::uint32_t>(watched_.size() - 1));
   }
   tests_.forgetNearest();
-}
-
-/** Put a watched place to those of its segment, or to the doubtful ones. */
-void
-Mover::cover(std::uint32_t w)
-{
-  Watched& at = watched_[w];
-  if (at.distance > covered)
-    doubtful_.push_back(w);
-  else
-    at.next = std::exchange(covered_by_[at.segment], w);
 }
 
 NearPath
@@ -251,8 +249,7 @@ Mover::measure(Watched& at)
 bool
 Mover::measureDoubtful(const ProgressCallback& progress)
 {
-  std::vector<std::uint32_t> measured;
-  measured.swap(doubtful_);
+  const std::vector<std::uint32_t> measured = std::move(doubtful_);
   const auto count = static_cast<std::int64_t>(measured.size());
   std::vector<std::uint8_t> still(measured.size(), 0);
 #pragma omp parallel for schedule(static, 256)
@@ -274,8 +271,9 @@ Mover::measureDoubtful(const ProgressCallback& progress)
   };
   if (!stoppableLoop(0, count, partOf(progress, 0.0, 1.0, "coverage"), measureOne))
     return false;
-  for (const std::uint32_t w : measured)
-    cover(w);
+  doubtful_.clear();
+  std::copy_if(measured.begin(), measured.end(), std::back_inserter(doubtful_),
+               [this](std::uint32_t w) { return watched_[w].distance > covered; });
   std::sort(doubtful_.begin(), doubtful_.end(), [this](std::uint32_t a, std::uint32_t b) {
     return watched_[a].distance != watched_[b].distance ? watched_[a].distance > watched_[b].distance : a < b;
   });
@@ -310,23 +308,29 @@ Mover::pull()
     const std::size_t low = std::max(pass.begin, centre - std::min(centre, bell_points)),
                       high = std::min(pass.end - 1, centre + bell_points);
     for (std::size_t k = low; k <= high; ++k)
-      if (moves_[k]) {
-        const double off = static_cast<double>(k > centre ? k - centre : centre - k) / (static_cast<double>(bell_points) + 1.0);
-        shifts_.push_back({k, way * (0.5 * (1.0 + std::cos(pi * off)))});
-      }
+      if (moves_[k])
+        shifts_.push_back({k, way * bell_shape[k > centre ? k - centre : centre - k]});
   }
 }
 
-/** Raise the limits of those that \p segment covers by its move; those above covered become doubtful. */
+/** Raise the limits of those that moved segments cover. All whose limit is then above covered become doubtful. */
 void
-Mover::raiseLimits(std::size_t segment, double moved)
+Mover::raiseLimits()
 {
-  for (std::uint32_t w = std::exchange(covered_by_[segment], Watched::none); w != Watched::none;) {
-    const std::uint32_t next = watched_[w].next;
-    watched_[w].distance += moved;
-    cover(w);
-    w = next;
-  }
+  constexpr std::size_t block_size = 8192;
+  const auto blocks = static_cast<std::int64_t>((watched_.size() + block_size - 1) / block_size);
+  std::vector<std::vector<std::uint32_t>> found(blocks);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::int64_t block = 0; block < blocks; ++block)
+    for (std::size_t w = block * block_size; w < std::min(watched_.size(), (block + 1) * block_size); ++w) {
+      Watched& at = watched_[w];
+      at.distance += std::max(moved_[at.segment], moved_[at.segment + 1]);
+      if (at.distance > covered)
+        found[block].push_back(static_cast<std::uint32_t>(w));
+    }
+  doubtful_.clear();
+  for (const std::vector<std::uint32_t>& some : found)
+    doubtful_.insert(doubtful_.end(), some.begin(), some.end());
 }
 
 /** Move the pulled points; false if there are none. */
@@ -334,31 +338,24 @@ bool
 Mover::move()
 {
   std::stable_sort(shifts_.begin(), shifts_.end(), [](const Shift& a, const Shift& b) { return a.point < b.point; });
-  std::size_t before = 0; // the point moved before, and how far, step-overs
-  double moved_before = 0.0;
+  std::vector<std::size_t> pulled;
   for (std::size_t i = 0; i < shifts_.size();) {
     const std::size_t k = shifts_[i].point;
     Eigen::Vector3d by = Eigen::Vector3d::Zero();
     for (; i < shifts_.size() && shifts_[i].point == k; ++i)
       by += shifts_[i].by;
     path_.points[k] += damping * by;
-    const double moved = path_.metric[k].length(damping * by);
-    const bool follows = before + 1 == k && moved_before > 0.0;
-    if (moved_before > 0.0 && !follows)
-      raiseLimits(before, moved_before);
-    if (k > 0)
-      raiseLimits(k - 1, follows ? std::max(moved_before, moved) : moved);
-    before = k;
-    moved_before = moved;
+    moved_[k] = path_.metric[k].length(damping * by);
+    pulled.push_back(k);
   }
-  if (moved_before > 0.0)
-    raiseLimits(before, moved_before);
+  raiseLimits();
+  for (const std::size_t k : pulled)
+    moved_[k] = 0.0;
   for (const std::size_t c : centres_)
     taken_[c] = 0;
-  const bool any = !shifts_.empty();
   shifts_.clear();
   centres_.clear();
-  return any;
+  return !pulled.empty();
 }
 
 } // namespace

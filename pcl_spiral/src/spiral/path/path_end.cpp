@@ -24,20 +24,23 @@ surplusPoints(const LinkedPath& path, const PassRange& pass, bool at_end)
   const std::size_t n = pass.end - pass.begin;
   const auto index = [&](std::size_t k) { return at_end ? pass.end - 1 - k : pass.begin + k; }; // counted from that end
   const auto point = [&](std::size_t k) -> const Eigen::Vector3d& { return path.points[index(k)]; };
-  std::vector<double> way(n, 0.0); // from the end
-  for (std::size_t k = 1; k < n; ++k)
-    way[k] = way[k - 1] + between(path.metric[index(k)], path.metric[index(k - 1)], 0.5).length(point(k - 1) - point(k));
+  std::vector<double> way{0.0}; // from the end
+  const auto wayTo = [&](std::size_t k) {
+    for (std::size_t i = way.size(); i <= k; ++i)
+      way.push_back(way[i - 1] + between(path.metric[index(i)], path.metric[index(i - 1)], 0.5).length(point(i - 1) - point(i)));
+    return way[k];
+  };
   const auto turned = [&](std::size_t k) { return std::abs(path.turns[index(k)] - path.turns[index(0)]); };
   std::size_t last = 0, farthest = 0;
-  while (last + 1 < n && way[last + 1] < tail)
+  while (last + 1 < n && wayTo(last + 1) < tail)
     ++last;
-  while (farthest + 1 < n && (way[farthest + 1] < searched || turned(farthest + 1) < searched_turns))
+  while (farthest + 1 < n && (wayTo(farthest + 1) < searched || turned(farthest + 1) < searched_turns))
     ++farthest;
   for (std::size_t k = std::min(last, n - std::min(n, fewest + 1)); k > 0; --k)
     for (std::size_t j = k + 3; j <= farthest; ++j)
       if (movesCross(point(k), point(k - 1), point(j), point(j - 1))) {
         std::size_t kept = k;
-        while (kept + fewest + 1 < n && way[kept] - way[k] < clear)
+        while (kept + fewest + 1 < n && wayTo(kept) - wayTo(k) < clear)
           ++kept;
         return kept;
       }

@@ -102,12 +102,14 @@ straightTo(const LinkedPath& path, const std::vector<double>& steps, std::size_t
   for (std::size_t next = first + 2; next < path.points.size() && !beginsPass(path.passes, next); ++next) {
     allowed = std::min(allowed, steps[next]);
     const Eigen::Vector3d d = path.points[next] - path.points[first];
-    if (d.norm() > allowed || next - first > 64)
+    const double square = d.squaredNorm();
+    if (square > allowed * allowed || next - first > 64)
       break;
+    const double share = 1.0 / std::max(square, 1e-300);
     for (std::size_t k = first + 1; k < next; ++k) {
       const Eigen::Vector3d p = path.points[k] - path.points[first];
-      const double t = std::clamp(p.dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
-      if ((p - t * d).norm() > tolerance)
+      const double t = std::clamp(p.dot(d) * share, 0.0, 1.0);
+      if ((p - t * d).squaredNorm() > tolerance * tolerance)
         return last;
     }
     last = next;

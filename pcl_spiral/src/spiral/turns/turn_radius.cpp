@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -34,23 +35,28 @@ sharpTurns(const LinkedPath& path, double rim)
   const std::size_t n = path.points.size();
   std::vector<double> arcs(n, 0.0);
   const std::vector<PassRange> passes = passRanges(path.passes, n);
-  for (std::size_t i = 1; i < n; ++i)
-    arcs[i] = arcs[i - 1] + (beginsPass(path.passes, i) ? 0.0 : path.metric[i].length(path.points[i] - path.points[i - 1]));
+  const auto count = static_cast<std::int64_t>(n);
+#pragma omp parallel for schedule(static, 1024)
+  for (std::int64_t i = 1; i < count; ++i)
+    arcs[i] = beginsPass(path.passes, i) ? 0.0 : path.metric[i].length(path.points[i] - path.points[i - 1]);
+  std::partial_sum(arcs.begin(), arcs.end(), arcs.begin());
   if (n < 3 || arcs.back() < 2.0 * reach)
     return turns;
-  const auto at = [&](double s) -> Eigen::Vector3d {
-    const auto next = static_cast<std::size_t>(std::upper_bound(arcs.begin() + 1, arcs.end() - 1, s) - arcs.begin());
+  const auto at = [&](double s, std::size_t next) -> Eigen::Vector3d { // looked for from point next on
+    while (next > 1 && arcs[next - 1] > s)
+      --next;
+    while (next + 1 < n && arcs[next] <= s)
+      ++next;
     return path.points[next - 1] + (s - arcs[next - 1]) / (arcs[next] - arcs[next - 1]) * (path.points[next] - path.points[next - 1]);
   };
   std::vector<std::pair<double, std::size_t>> radii(n, {std::numeric_limits<double>::infinity(), 0}); // moves between points are straight
-  const auto count = static_cast<std::int64_t>(n);
 #pragma omp parallel for schedule(static, 1024)
   for (std::int64_t i = 1; i < count - 1; ++i) {
     const PassRange& pass = passes[passOf(path.passes, static_cast<std::size_t>(i))];
     if (arcs[i] < std::max(rim, arcs[pass.begin] + reach) || arcs[i] > arcs[pass.end - 1] - reach)
       continue;
     const StepOverMetric& metric = path.metric[i];
-    const Eigen::Vector3d before = at(arcs[i] - reach), &here = path.points[i], behind = at(arcs[i] + reach);
+    const Eigen::Vector3d before = at(arcs[i] - reach, i), &here = path.points[i], behind = at(arcs[i] + reach, i);
     radii[i] = {circumradius(metric.length(here - before), metric.length(behind - here), metric.length(behind - before)),
                 static_cast<std::size_t>(i)};
   }
