@@ -70,8 +70,8 @@ protected:
   {
     made_ = std::make_unique<ScratchFolder>();
     writeText(made_->path("cap.xyz"), capScan(8000));
-    make(PCL_SPIRAL_TOOLPATH_PROGRAM,
-         {"--scallop", "0.02", "--tilt", "10", "-o", "part.ngc", "-o", "part.apt", "--machine", machines + "/xyzac.yaml"});
+    make(PCL_SPIRAL_TOOLPATH_PROGRAM, {"--scallop", "0.02", "--tilt", "10", "-o", "part.ngc", "-o", "part.apt", "-o", "part.json",
+                                       "--machine", machines + "/xyzac.yaml"});
     for (const std::string dialect : {"fanuc", "fanuc-ijk", "siemens", "heidenhain"})
       make(PCL_SPIRAL_TOOLPATH_PROGRAM, {"--scallop", "0.02", "--tool", "3", "-o", dialect + ".nc", "--dialect", dialect, "--machine",
                                          machines + (dialect == "fanuc-ijk" ? "/xyzac.yaml" : "/head_head.yaml")}); // it cannot unwind C
@@ -313,6 +313,26 @@ TEST_F(JudgedProgram, LinesOfTheProgramAreInTheJson)
   EXPECT_LT(path["material"]["gouge"]["line"], lines);
   EXPECT_EQ(path["program"]["passes"], 1);
   EXPECT_GT(path["program"]["blocks"], lines - 25);
+}
+
+TEST_F(JudgedProgram, TheMachiningTimeOfTheTextIsThatOfThePlan)
+{
+  const auto secondsOf = [this](const std::string& program) {
+    const RunResult result = verify(program, machines + "/xyzac.yaml", {"-o", "figures.json"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    expectHas(result.out, " on LinuxCNC");
+    return nlohmann::json::parse(readText(folder_.path("figures.json")))["paths"][0]["program"]["motion"]["seconds"].get<double>();
+  };
+  const auto planned = nlohmann::json::parse(readText(folder_.path("part.json")))["motion"];
+  EXPECT_NEAR(secondsOf("part.ngc"), planned["seconds"], 0.01 * planned["seconds"].get<double>());
+  Lines lines = linesOf(readText(folder_.path("part.ngc")));
+  const auto smooths = std::find_if(lines.begin(), lines.end(), [](const std::string& line) { return line.rfind("G64 P", 0) == 0; });
+  ASSERT_NE(smooths, lines.end());
+  *smooths = "G64 P0.5";
+  writeText(folder_.path("smooth.ngc"), textOf(lines));
+  EXPECT_LT(secondsOf("smooth.ngc"), 0.999 * planned["seconds"].get<double>()) << "the tolerance is that of the text";
+  const RunResult apt = verify("part.apt", "", {"-o", "figures.json"});
+  EXPECT_EQ(apt.out.find("on the control"), std::string::npos) << "no control is known that reads APT";
 }
 
 TEST_F(JudgedProgram, WhatCannotBeJudgedIsRefusedWithTheRemedy)

@@ -65,6 +65,22 @@ lossesText(const MotionStudy& study)
 }
 
 std::string
+durationText(double seconds)
+{
+  const auto minutes = static_cast<long>(seconds / 60.0 + 0.5);
+  return seconds < 60.0     ? formatted("%.1f s", seconds)
+         : seconds < 3600.0 ? formatted("%.1f min", seconds / 60.0)
+                            : formatted("%ld h %02ld min", minutes / 60, minutes % 60);
+}
+
+std::string
+motionText(const MotionStudy& study)
+{
+  return durationText(study.time.seconds) + " on " + study.control.name + (study.usual_axes ? " with usual accelerations: " : ": ") +
+         lossesText(study);
+}
+
+std::string
 gainText(const MotionStudy& study)
 {
   if (study.gains.empty() || shareOf(study, study.gains.front().seconds) < worth)

@@ -143,6 +143,8 @@ PathJudge::readProgram(const ProgramFile& file, std::size_t region, JudgedPath& 
   figures.passes = path.passes;
   for (const std::size_t block : path.blocks)
     figures.lines.push_back(read.lines[block]);
+  if (read.control && region == 0)
+    figures.motion = studyMotion(read.program, controlModel(*read.control, read.program.machine), read.tolerance);
   checkText(read, figures);
   if (const Status status = checkOtherMoves(read, part, figures); !status.ok())
     return status;

@@ -5,6 +5,8 @@
 #include "verify/figure_text.h"
 #include "verify/verification_figures.h"
 
+#include <pcl_spiral/io/motion_text.h>
+
 #include <cstdio>
 
 using namespace pcl_spiral;
@@ -81,6 +83,10 @@ printFigures(const Verification& verification)
     const char* const text = allKnown(line.text, table) ? line.text : line.if_none;
     if (text)
       print(line.label, filled(text, table));
+  }
+  if (verification.program && verification.program->motion && verification.program->motion->status.ok()) {
+    print("on the control", motionText(*verification.program->motion));
+    print("would gain most", gainText(*verification.program->motion));
   }
   for (const Diagnostic& broken : verification.broken)
     print("LIMIT", inWords(broken));

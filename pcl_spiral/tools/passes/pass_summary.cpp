@@ -6,6 +6,8 @@
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 
+#include <pcl_spiral/io/motion_text.h>
+
 #include <cstdio>
 
 using namespace pcl_spiral;
@@ -25,7 +27,7 @@ printPasses(const PassJob& job, const PassResult& result, const std::vector<std:
   if (result.program)
     printProgram(*result.program, *result.motion);
   printFrames(job.program, result.moves, job.outputs);
-  std::printf("time            %s\n", duration(seconds).c_str());
+  std::printf("time            %s\n", durationText(seconds).c_str());
   if (job.verbose)
     for (const StageCost& stage : result.stages)
       std::printf("  %-16s %9.2f s\n", stage.name.c_str(), stage.seconds);

@@ -123,13 +123,12 @@ printProgram(const MachineProgram& program, const MotionStudy& motion)
 {
   const ProgramReport& report = program.report;
   std::printf("program         %s: %zu blocks, %zu added, %zu left out, %s at feed\n", program.machine.name.c_str(), program.blocks.size(),
-              report.split_blocks, report.thinned_poses, duration(60.0 * report.minutes).c_str());
+              report.split_blocks, report.thinned_poses, durationText(60.0 * report.minutes).c_str());
   if (motion.status.ok())
-    std::printf("on the control  %s on %s%s: %s\nwould gain most %s\n", duration(motion.time.seconds).c_str(), motion.control.name,
-                motion.usual_axes ? " with usual accelerations" : "", lossesText(motion).c_str(), gainText(motion).c_str());
+    std::printf("on the control  %s\nwould gain most %s\n", motionText(motion).c_str(), gainText(motion).c_str());
   if (report.links + report.blocked_links > 0)
     std::printf("links           %zu near the surface, %zu not free: the tool retracts; %.3g m and %s saved\n", report.links,
-                report.blocked_links, report.saved_way / 1000.0, duration(60.0 * report.saved_minutes).c_str());
+                report.blocked_links, report.saved_way / 1000.0, durationText(60.0 * report.saved_minutes).c_str());
   if (program.machine.three_axes)
     return;
   const auto& [first, second] = program.machine.rotary;

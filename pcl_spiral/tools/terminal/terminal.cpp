@@ -82,17 +82,3 @@ madeBy(const std::string& program)
   std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M UTC", &utc);
   return program + " " PCL_SPIRAL_VERSION ", " + text;
 }
-
-std::string
-duration(double seconds)
-{
-  const auto minutes = static_cast<long>(seconds / 60.0 + 0.5);
-  char text[64];
-  if (seconds < 60.0)
-    std::snprintf(text, sizeof(text), "%.1f s", seconds);
-  else if (seconds < 3600.0)
-    std::snprintf(text, sizeof(text), "%.1f min", seconds / 60.0);
-  else
-    std::snprintf(text, sizeof(text), "%ld h %02ld min", minutes / 60, minutes % 60);
-  return text;
-}

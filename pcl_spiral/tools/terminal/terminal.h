@@ -52,6 +52,3 @@ private:
 
 /** "pcl_spiral_verify 0.2.0, 2025-03-01 14:05 UTC" */
 std::string madeBy(const std::string& program);
-
-/** "12.3 s", "4.5 min", "3 h 20 min" */
-std::string duration(double seconds);

@@ -10,6 +10,8 @@
 
 #include "mesh/mesh_findings.h"
 
+#include <pcl_spiral/io/motion_text.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -139,7 +141,8 @@ printPath(const Job& job, const pcl_spiral::SpiralReport& report)
     std::printf("over gaps       %.1f mm at %zu point%s: bridged, estimated from the surface around the gaps\n", report.gap_length,
                 report.gap_points, plural(report.gap_points));
   printTight(report);
-  std::printf("machining time  %s at %g mm/min\n", duration(60.0 * report.path_length / job.settings.feed).c_str(), job.settings.feed);
+  std::printf("machining time  %s at %g mm/min\n", pcl_spiral::durationText(60.0 * report.path_length / job.settings.feed).c_str(),
+              job.settings.feed);
 }
 
 void
@@ -181,7 +184,7 @@ printTogether(const Job& job, const Result& result)
   const pcl_spiral::SpiralReport& report = result.plan.report;
   std::printf("all regions     %zu, %zu passes, %zu points, %.3f m, machining time %s\n", result.regions.size(),
               report.pass_begins.size() + 1, report.path_points, report.path_length / 1000.0,
-              duration(60.0 * report.path_length / job.settings.feed).c_str());
+              pcl_spiral::durationText(60.0 * report.path_length / job.settings.feed).c_str());
   std::printf("links           %zu between regions, retracted to %.4g mm along z, clear of the scan\n", result.plan.regions.size() - 1,
               result.links.height);
 }
@@ -208,7 +211,7 @@ printSummary(const Job& job, const Result& result, double seconds)
   if (result.program)
     printProgram(*result.program, *result.motion);
   printFrames(job.program, result.moves, job.outputs);
-  std::printf("time            %s\n", duration(seconds).c_str());
+  std::printf("time            %s\n", pcl_spiral::durationText(seconds).c_str());
   if (job.verbose)
     printStages(result, seconds);
   if (job.read.origin != Eigen::Vector3d::Zero())

@@ -7,6 +7,7 @@
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/setting.h>
 #include <pcl_spiral/graph/outer_side.h>
+#include <pcl_spiral/machine/motion_time.h>
 #include <pcl_spiral/verify/figures.h>
 
 #include <optional>
@@ -30,13 +31,14 @@ std::vector<Setting> settingTable(Limits& limits);
 
 /** What is known of a machine program apart from its path. */
 struct ProgramFigures {
-  std::string language;           ///< see ProgramFile
-  std::size_t blocks = 0;         ///< moves
-  std::size_t passes = 0;         ///< that cut
-  LeadFigures leads;              ///< of the moves that do not cut
-  std::vector<std::size_t> lines; ///< line of each path point
-  Diagnostics warnings;           ///< in full sentences, with the remedy
-  Diagnostics faults;             ///< collisions and axes beyond their limits, in words
+  std::string language;              ///< see ProgramFile
+  std::size_t blocks = 0;            ///< moves
+  std::size_t passes = 0;            ///< that cut
+  LeadFigures leads;                 ///< of the moves that do not cut
+  std::vector<std::size_t> lines;    ///< line of each path point
+  Diagnostics warnings;              ///< in full sentences, with the remedy
+  Diagnostics faults;                ///< collisions and axes beyond their limits, in words
+  std::optional<MotionStudy> motion; ///< of the whole program, for the first region; absent if its control is not known
 };
 
 /** A toolpath's figures. */

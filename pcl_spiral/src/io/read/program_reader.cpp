@@ -64,6 +64,7 @@ readProgram(const std::string& file, const std::optional<Machine>& machine, std:
   const Dialect language = by_name ? *by_name : dialectOf(text);
   ProgramFile result = language == Dialect::Heidenhain ? readKlartext(file, text, *machine) : readGCode(file, text, *machine, language);
   result.language = entryOf(language).word;
+  result.control = entryOf(language).control;
   return result;
 }
 

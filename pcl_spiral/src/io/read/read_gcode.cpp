@@ -33,6 +33,7 @@ public:
       lines_.fail("the program has no place with all five axes; name them all in one G0");
     ProgramFile result = track_.take();
     result.still_line = still_line_;
+    result.tolerance = tolerance_;
     result.axis_arcs = dialect_ == Dialect::Siemens; // ORIVECT
     return result;
   }
@@ -53,6 +54,7 @@ private:
       if (const std::string fault = takeCode(word); !fault.empty())
         lines_.fail(word, Diagnostic(fault));
     requireOffset();
+    takeTolerance();
     ProgramTarget target;
     std::array<std::optional<double>, 3> vector;
     for (const ProgramWord& word : lines_.words())
@@ -77,6 +79,18 @@ private:
     if (word.name == "D" && dialect_ == Dialect::Siemens)
       modes_.tool_length = *word.value > 0.0;
     return {};
+  }
+
+  /** The tolerance at corners: G64 P of LinuxCNC. */
+  void takeTolerance()
+  {
+    const std::vector<ProgramWord>& words = lines_.words();
+    const bool smooths = dialect_ == Dialect::LinuxCNC && std::any_of(words.begin(), words.end(), [](const ProgramWord& word) {
+                           return word.name == "G" && word.value == 64.0;
+                         });
+    for (const ProgramWord& word : words)
+      if (smooths && word.name == "P" && word.value)
+        tolerance_ = *word.value * modes_.unit;
   }
 
   /** Refuses a work offset other than that of the program's own comment. */
@@ -205,6 +219,7 @@ private:
   double feed_ = 0.0;
   std::size_t fed_ = 0;        ///< line of the last F
   std::size_t still_line_ = 0; ///< of the first feed move with the spindle off
+  std::optional<double> tolerance_;
 };
 
 } // namespace

@@ -31,21 +31,13 @@ motionRows(const MotionStudy& study)
   if (!study.status.ok())
     return {};
   HtmlRows rows{{formatted("Machining time on %s", study.control.name),
-                 durationText(study.time.seconds) + (study.usual_axes ? ", with usual accelerations for axes that have none in the machine file" : "")},
+                 durationText(study.time.seconds) +
+                     (study.usual_axes ? ", with usual accelerations for axes that have none in the machine file" : "")},
                 {"Where it goes", lossesText(study)}};
   for (const MotionGain& gain : study.gains)
     rows.push_back(
         {formatted("With %s", wordsOf(gain.change)), durationText(std::abs(gain.seconds)) + (gain.seconds < 0.0 ? " more" : " less")});
   return rows;
-}
-
-std::string
-durationText(double seconds)
-{
-  const auto minutes = static_cast<long>(seconds / 60.0 + 0.5);
-  return seconds < 60.0     ? formatted("%.1f s", seconds)
-         : seconds < 3600.0 ? formatted("%.1f min", seconds / 60.0)
-                            : formatted("%ld h %02ld min", minutes / 60, minutes % 60);
 }
 
 } // namespace pcl_spiral

@@ -17,7 +17,4 @@ nlohmann::ordered_json motionJson(const MotionStudy& study);
 /** The same as rows of a table; none if the time is not known. */
 HtmlRows motionRows(const MotionStudy& study);
 
-/** Words for a time. */
-std::string durationText(double seconds);
-
 } // namespace pcl_spiral

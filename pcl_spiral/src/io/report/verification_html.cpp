@@ -3,6 +3,7 @@
 
 #include "io/cutter_text.h"
 #include "io/setting_names.h"
+#include "motion_report.h"
 #include "moved_places.h"
 #include "verify/figure_text.h"
 #include "verify/limit_verdicts.h"
@@ -172,6 +173,8 @@ addVerification(HtmlPage& page, const VerificationRun& run, const Verification& 
   addStatement(page, run, verification, table);
   page.addHeading("Figures");
   page.addTable(figureRows(table, verification.program.has_value()), true);
+  if (verification.program && verification.program->motion)
+    page.addTable(motionRows(*verification.program->motion), false);
   addNoise(page, run, verification.deviation);
   for (const ReportPicture& picture : pictures)
     page.addPicture(picture);

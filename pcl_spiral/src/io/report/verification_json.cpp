@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification_json.h"
 #include "diagnostic_json.h"
+#include "motion_report.h"
 #include "side_json.h"
 
 #include "verify/verification_figures.h"
@@ -37,6 +38,8 @@ verificationJson(const Verification& v, const Vocabulary& words, const Eigen::Ve
   for (const Figure& figure : table.figures())
     if (figure.in_json)
       json[Json::json_pointer("/" + figure.key)] = figureJson(figure);
+  if (v.program && v.program->motion)
+    json["program"]["motion"] = motionJson(*v.program->motion);
   json["side"] = sideJson(v.side);
   json["broken_limits"] = textsOf(v.broken, words);
   json["unproven_limits"] = textsOf(v.unproven, words);
