@@ -71,17 +71,25 @@ aboutRidges(const StepOverMesh& mesh, const std::vector<double>& distance, doubl
   return chosen;
 }
 
+/** One a node: 1 at the corners of triangles in which the length of the gradient of \p distance is below \p least. */
+std::vector<std::uint8_t>
+weakCorners(const StepOverMesh& mesh, const std::vector<double>& distance, double least)
+{
+  const std::vector<float> lengths = gradientLengths(mesh, distance);
+  std::vector<std::uint8_t> weak(mesh.size(), 0);
+  for (std::size_t t = 0; t < lengths.size(); ++t)
+    if (lengths[t] < least)
+      for (const std::uint32_t v : mesh.triangles.triangle(t))
+        weak[v] = 1;
+  return weak;
+}
+
 /** Triangles about the ridges of \p distance, and those about triangles in which it is not a true distance. */
 std::vector<std::uint8_t>
 ridgeBand(const StepOverMesh& mesh, const std::vector<double>& distance, double width)
 {
   std::vector<std::uint8_t> chosen = aboutRidges(mesh, distance, width);
-  const std::vector<float> lengths = gradientLengths(mesh, distance);
-  std::vector<std::uint8_t> weak(mesh.size(), 0);
-  for (std::size_t t = 0; t < chosen.size(); ++t)
-    if (lengths[t] < band_gradient)
-      for (const std::uint32_t v : mesh.triangles.triangle(t))
-        weak[v] = 1;
+  const std::vector<std::uint8_t> weak = weakCorners(mesh, distance, band_gradient);
   for (std::size_t t = 0; t < chosen.size(); ++t)
     for (const std::uint32_t v : mesh.triangles.triangle(t))
       chosen[t] |= weak[v];
@@ -242,12 +250,12 @@ FieldMaker::takeDistances()
                          ", because parts of the {scan} touch at a single point; {scan it again, more densely}")};
     field_.largest = std::max(field_.largest, field_.distance[v]);
   }
-  const std::vector<float> lengths = gradientLengths(field_.mesh, field_.distance);
-  field_.is_weak.resize(lengths.size());
-  for (std::size_t t = 0; t < lengths.size(); ++t) {
-    const auto& corners = field_.mesh.triangles.triangle(t);
-    const bool fine = field_.is_fine[corners[0]] && field_.is_fine[corners[1]] && field_.is_fine[corners[2]];
-    field_.is_weak[t] = !fine && lengths[t] < weak_gradient;
+  const std::vector<std::uint8_t> weak = weakCorners(field_.mesh, field_.distance, weak_gradient);
+  field_.is_weak.resize(field_.mesh.triangles.triangleCount());
+  for (std::size_t t = 0; t < field_.is_weak.size(); ++t) {
+    const auto& c = field_.mesh.triangles.triangle(t);
+    const bool fine = field_.is_fine[c[0]] && field_.is_fine[c[1]] && field_.is_fine[c[2]];
+    field_.is_weak[t] = !fine && (weak[c[0]] || weak[c[1]] || weak[c[2]]);
   }
   return Status::success();
 }
