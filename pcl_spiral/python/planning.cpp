@@ -61,6 +61,7 @@ setSpiral(const SpiralCall& call, const Run& run, SpiralPlanner<pcl::PointXYZ>& 
   planner.setHolderClearance(call.input.holder_clearance);
   planner.setAcceptCollisions(call.input.accept_collisions);
   planner.setBallClosing(call.input.ball_closing);
+  planner.setRemedyTries(call.input.remedy_tries);
   planner.setSampleSpacing(call.input.sample_spacing);
   setOwnStages(call.keywords, run, call.scan.shift, planner);
 }

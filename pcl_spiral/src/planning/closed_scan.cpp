@@ -22,9 +22,8 @@ constexpr double narrow_cells = 4.0; // narrower than that nothing is a hole: a 
  *  half, both are half the radius, and the path is longer. Neither cuts more: with the curvature k of a closed surface, -1/R or more, the
  *  scallop of the tool of radius R is (R - r) / (R (1 + k r)) of that of the smaller ball on the surface raised by r, and so at most as
  *  high. */
-constexpr std::array<ClosingTry, 5> tries{
+constexpr std::array<ClosingTry, closing_tries> tries{
     {{0.25, false, false}, {0.5, false, false}, {0.25, true, false}, {0.5, true, false}, {0.25, false, true}}};
-constexpr std::size_t remedy_tries = 2; // so that a refusal takes about three times as long as a path
 
 Status
 refuseUnfit(const PlanInput& input)
@@ -110,14 +109,6 @@ checkClear(const SpiralPlan& plan, double radius, double allowed, const pcl::Poi
                      " {mm} are allowed: close the {scan} by a larger ball ({setToolRadius}), or crop it ({setCrop})")};
 }
 
-/** Whether somebody said from which side the scan of \p input was taken, or the tool comes. */
-bool
-knowsSide(const PlanInput& input)
-{
-  const Eigen::Vector3f sensor = input.cloud->sensor_origin_.head<3>();
-  return input.settings.fixed_axis || input.settings.view_point || (sensor.allFinite() && !sensor.isZero(0.0f));
-}
-
 /** How far \p place is from the crop of \p choice, across the \p fall of the ball, mm; 0: inside, or the crop is not along the fall. */
 double
 fromCrop(const PartChoice& choice, const Eigen::Vector3d& fall, const Eigen::Vector3d& place)
@@ -163,6 +154,13 @@ tellScan(const PlanInput& whole, std::size_t echoes, const ClosingFigures& figur
 }
 
 } // namespace
+
+bool
+knowsSide(const PlanInput& input)
+{
+  const Eigen::Vector3f sensor = input.cloud->sensor_origin_.head<3>();
+  return input.settings.fixed_axis || input.settings.view_point || (sensor.allFinite() && !sensor.isZero(0.0f));
+}
 
 Status
 closeScan(const PlanInput& given, const SeenParts& seen, const ClosingTry& how, ClosedScan& closed)
@@ -249,9 +247,10 @@ noPath(const Status& said, std::size_t tries)
                  said.diagnostic())};
 }
 
-/** The work of planClosed with the first \p most of the tries. */
+} // namespace
+
 Status
-planWithTries(const PlanInput& whole, std::size_t most, const PlanRun& run, SpiralPlan& plan)
+planClosed(const PlanInput& whole, std::size_t most, const PlanRun& run, SpiralPlan& plan)
 {
   if (const Status status = refuseUnfit(whole); !status.ok())
     return status;
@@ -308,25 +307,6 @@ planWithTries(const PlanInput& whole, std::size_t most, const PlanRun& run, Spir
     }
   }
   return first;
-}
-
-} // namespace
-
-Status
-planClosed(const PlanInput& whole, const PlanRun& run, SpiralPlan& plan)
-{
-  return planWithTries(whole, tries.size(), run, plan);
-}
-
-Diagnostic
-closingRemedy(const PlanInput& whole, const PlanRun& run)
-{
-  if (!whole.cloud || !knowsSide(whole))
-    return {};
-  SpiralPlan plan;
-  if (!planWithTries(whole, remedy_tries, run, plan).ok())
-    return {};
-  return ". Closed by the ball ({setBallClosing}) the {scan} gives a path, with a fixed tool axis";
 }
 
 } // namespace pcl_spiral

@@ -37,12 +37,14 @@ void moveToScan(double rounding, SpiralPlan& plan);
 /** Plans every region of an input over a surface that is raised by a length, mm. */
 using PlanRun = std::function<Status(const PlanInput&, double, SpiralPlan&)>;
 
-/** Plans over the scan of \p whole, closed, by \p run, until a try gives a path that is clear of the scan. SpiralPlan::attempts has those
- *  that did not. */
-Status planClosed(const PlanInput& whole, const PlanRun& run, SpiralPlan& plan);
+constexpr std::size_t closing_tries = 5;             ///< roundings, senses and methods that planClosed has
+constexpr std::size_t closing_tries_of_a_change = 2; ///< that are made to learn whether the closing gives a path: most paths are by these
 
-/** What to add to the refusal of \p whole: whether closed by the ball, which is tried, it gives a path. Empty if not, or if nobody said
- *  from which side the scan was taken or the tool comes. */
-Diagnostic closingRemedy(const PlanInput& whole, const PlanRun& run);
+/** Plans over the scan of \p whole, closed in the first \p most of the ways, by \p run, until one gives a path that is clear of the scan.
+ *  SpiralPlan::attempts has those that did not. */
+Status planClosed(const PlanInput& whole, std::size_t most, const PlanRun& run, SpiralPlan& plan);
+
+/** Whether somebody said from which side the scan of \p input was taken, or the tool comes. */
+bool knowsSide(const PlanInput& input);
 
 } // namespace pcl_spiral

@@ -69,7 +69,7 @@ bool
 needsSurface(const PlanInput& input, const PartChoice& choice, const SpiralPlan& plan)
 {
   // The other parts and the clusters are looked at again when the path is there.
-  return plan.mesh || input.keep_surface || !plan.part.beside.empty() || choice.part_at || input.settings.largest_part ||
+  return plan.mesh || input.keep_surface || input.kept_surface || !plan.part.beside.empty() || choice.part_at || input.settings.largest_part ||
          choice.clusters == ClusterHandling::Ride || (!input.holder.empty() && choice.clusters == ClusterHandling::LeaveOut);
 }
 
@@ -125,8 +125,12 @@ choose(const PlanInput& input, const PartChoice& choice, const StripChoice& stri
     return refused(Refusal::Input, {StatusCode::Cancelled, "cancelled"}, false);
   if (!needsSurface(input, choice, plan))
     return {Status::success()};
-  if (const Status status = makeSurface(input, choice, progress, plan); !status.ok())
+  if (input.kept_surface && *input.kept_surface)
+    plan.surface = *input.kept_surface;
+  else if (const Status status = makeSurface(input, choice, progress, plan); !status.ok())
     return refused(Refusal::NoPath, status, false);
+  if (input.kept_surface)
+    *input.kept_surface = plan.surface;
   if (plan.mesh)
     keepUsedParts(*plan.surface, *plan.mesh);
   if (!input.holder.empty() && choice.clusters == ClusterHandling::LeaveOut)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/planning/impl/spiral_planning.h>
 
+#include "planning/changes_tried.h"
 #include "planning/closed_scan.h"
 #include "planning/joined_plan.h"
 #include "planning/mesh_samples.h"
@@ -49,7 +50,7 @@ private:
   {
     plan = base_;
     const AttemptResult result = attempt(input_, choice_, strips, progress_, plan);
-    attempts_.push_back({choice_.margin, strips.width, strips.cut, result.status.ok() ? Diagnostic() : result.status.diagnostic()});
+    attempts_.push_back({choice_.margin, strips.width, strips.cut, result.status.ok() ? Diagnostic() : result.status.diagnostic(), result.late});
     return result;
   }
 
@@ -123,6 +124,9 @@ checkSettings(const PlanInput& input)
   if (!(input.sample_spacing >= 0.0))
     return {StatusCode::InvalidArgument, Diagnostic("the distance of samples is ", input.sample_spacing,
                                                     " {mm}: set it above 0 ({setSampleSpacing}), or 0 to find it from the mesh")};
+  if (input.remedy_tries < 0)
+    return {StatusCode::InvalidArgument, Diagnostic("a search for a remedy may cost ", input.remedy_tries,
+                                                    " paths: set it above 0, or 0 for no search ({setRemedyTries})")};
   if (input.regions.size() > 1 && input.settings.centre)
     return {StatusCode::InvalidArgument, "a centre ({setCenter}) belongs to one region, and several are given ({addRegion}): plan each "
                                          "region by its own, or leave the centre out"};
@@ -172,21 +176,19 @@ planAll(const PlanInput& input, double rounding, const ProgressCallback& progres
   return status;
 }
 
-} // namespace
-
+/** Plans every region of \p input as it is, over a scan that is closed by the ball in \p closings ways at most. */
 Status
-planSpiral(const PlanInput& input, SpiralPlan& plan)
+planOnce(const PlanInput& input, std::size_t closings, SpiralPlan& plan)
 {
   plan = SpiralPlan();
   if (const Status status = checkSettings(input); !status.ok())
     return status;
-  const ProgressCallback progress = neverLess(input.progress);
   std::vector<StageCost> stages;
   StageClock clock(stages);
   if (input.mesh && !input.ball_closing) {
     if (const Status status = checkMesh(input); !status.ok())
       return status;
-    if (const Status status = sampleMesh(input.mesh, input.sample_spacing, input.settings, progress, plan); !status.ok())
+    if (const Status status = sampleMesh(input.mesh, input.sample_spacing, input.settings, input.progress, plan); !status.ok())
       return status;
     clock.end("samples");
   }
@@ -196,16 +198,28 @@ planSpiral(const PlanInput& input, SpiralPlan& plan)
       result.whole = input.cloud;
       result.cloud = with.cloud;
     }
-    return planAll(with, rounding, progress, result);
+    return planAll(with, rounding, input.progress, result);
   };
-  const Status status = input.ball_closing ? planClosed(input, run, plan) : run(input, 0.0, plan);
+  const Status status = input.ball_closing ? planClosed(input, closings, run, plan) : run(input, 0.0, plan);
   if (status.ok())
     for (const StageCost& stage : stages)
       addStage(stage, plan.report.stages);
+  return status;
+}
+
+} // namespace
+
+Status
+planSpiral(const PlanInput& input, SpiralPlan& plan)
+{
+  PlanInput given = input;
+  given.progress = neverLess(input.progress);
+  const Status status = planOnce(given, closing_tries, plan);
   const bool final = status.ok() || status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::Cancelled;
-  if (final || input.ball_closing)
+  if (final || input.remedy_tries == 0)
     return status;
-  return {status.code(), status.diagnostic() + closingRemedy(input, run)};
+  const auto changed = [](const PlanInput& with, SpiralPlan& result) { return planOnce(with, closing_tries_of_a_change, result); };
+  return {status.code(), status.diagnostic() + changeThatHelps(given, status, plan.attempts, changed)};
 }
 
 } // namespace pcl_spiral

@@ -10,7 +10,7 @@ using namespace pcl_spiral;
 void
 require(const std::string& file, const Status& status)
 {
-  if (status.code() == StatusCode::Cancelled || cancelled())
+  if (status.code() == StatusCode::Cancelled || (status.ok() && cancelled())) // a refusal is told, also if a search after it was stopped
     throw Cancelled();
   if (status.code() == StatusCode::InvalidArgument)
     throw UsageError(Diagnostic(file, ": ", status.diagnostic()));

@@ -37,6 +37,7 @@ constexpr SettingWords settings[] = {
     {"setFlankLength", "flank-length"},
     {"setAcceptCollisions", "accept-collisions"},
     {"setBallClosing", "ball-closing"},
+    {"setRemedyTries", "remedy-tries"},
     {"setGougeCheck", "no-gouge-check"},
     {"setLeaveOutStrays", "leave-out-strays"},
     {"MeshSections", "mesh", "pcl_spiral_drive --mesh"},

@@ -33,6 +33,7 @@ struct Job : ProgramRun {
   double holder_clearance = 0.0; ///< mm
   ProgramJob program;
   bool ball_closing = false;   ///< the scan is closed by the ball along the tool axis
+  int remedy_tries = 3;        ///< about how many paths a search for a change that gives one may cost
   bool mesh = false;           ///< the scan is a mesh, and its faces are used
   double sample_spacing = 0.0; ///< of the samples of the mesh, mm; 0: found from the mesh
   bool verify = false;         ///< check the path against the scan or the mesh

@@ -94,6 +94,7 @@ setHolder(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner)
 {
   planner.setFlankLength(job.flank_length);
   planner.setBallClosing(job.ball_closing);
+  planner.setRemedyTries(job.remedy_tries);
   planner.setHolder(job.holder);
   planner.setHolderClearance(job.holder_clearance);
   planner.setAcceptCollisions(job.program.accept_collisions);

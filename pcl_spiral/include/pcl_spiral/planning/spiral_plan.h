@@ -37,6 +37,7 @@ struct PlanAttempt {
   double strip_width = 0.0;     ///< strips beside keep-outs narrower than this are left out, point spacings; 0: none are
   std::vector<std::size_t> cut; ///< numbers of those of these strips that are cut all the same
   Diagnostic refusal;           ///< why it gave no path, and so why the next one was made; empty: it gave one
+  bool late = false;            ///< refused after turns were made, which takes as long as a path
 };
 
 /** A path, and what it was made from. Lengths in mm. */

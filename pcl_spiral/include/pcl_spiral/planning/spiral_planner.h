@@ -82,10 +82,16 @@ public:
    *  cut. Material that the ball cannot reach from there stays. Crops and regions work as before. Of several separate parts the one that is
    *  chosen (setPartAt, setLargestPart, setIndices) ends where the others keep the ball away; without a choice a warning names them.
    *  Keep-outs and meshes are refused. SpiralPlan::surface is that of the closed scan, raised by a part of the radius; SpiralPlan::cloud is
-   *  the scan. A scan that is refused without it, and whose side is known (fixed axis, view point), is tried with it, and the refusal says
-   *  whether that gives a path. Off by default. */
+   *  the scan. Off by default. */
   void setBallClosing(bool close) { plan_input_.ball_closing = close; }
   bool getBallClosing() const { return plan_input_.ball_closing; } ///< The value of setBallClosing.
+
+  /** A refused input is planned again with single changes of its settings, until one gives a path that passes all checks; the refusal
+   *  then names this change, with the length of its path, or else the changes that were tried and the place that another scan has to show.
+   *  Such a search takes about as long as \p paths paths; a progress callback that returns false ends it with the refusal. 0: no search.
+   *  A path that is found at once costs nothing more. */
+  void setRemedyTries(int paths) { plan_input_.remedy_tries = paths; }
+  int getRemedyTries() const { return plan_input_.remedy_tries; } ///< The value of setRemedyTries; 3 by default.
 
   /** The plan has the surface of each region, as for a check of the path; off by default: it is made if planning needs it. */
   void setKeepSurface(bool keep) { plan_input_.keep_surface = keep; }

@@ -34,6 +34,8 @@ struct PlanInput {
   bool accept_collisions = false;                             ///< of shank and holder: they are warnings
   bool ball_closing = false;                                  ///< the scan is closed by the ball along the tool axis
   bool keep_surface = false;                                  ///< the plan has the surface of each region
+  int remedy_tries = 3;                                       ///< about how many paths a search for a change that helps may cost
+  std::shared_ptr<Surface::ConstPtr> kept_surface;            ///< where the surface is kept from plan to plan; null: it is not
   ProgressCallback progress;                                  ///< may be empty
 };
 
