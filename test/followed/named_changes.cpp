@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 const std::string number = "(-?[0-9.]+(?:e[-+]?[0-9]+)?)";
 const std::string place = "\\(" + number + ", " + number + ", " + number + "\\)";
-const std::string tried_words = "this one alone gives a path: ", two_words = "two together do: ";
+const std::string tried_words = "one gives a path of ", two_words = "two together give a path of ";
 
 /** The option with another value, or added. */
 Command
@@ -109,10 +109,10 @@ public:
       return with(command_, option, "on");
     if (option == "--boundaries")
       return with(command_, option, "one");
-    if (option == "--largest-part" || option == "--ball-closing")
+    if (option == "--largest" || option == "--ball-closing")
       return with(command_, option);
     if (option == "--part-at")
-      return partAt();
+      return partAt(head);
     if (option == "--crop")
       return middleCrop();
     if (option == "--keep-out")
@@ -132,10 +132,10 @@ private:
     return with(command_, "--tool-radius", text((before.find("larger ball") != std::string::npos ? 1.4 : 0.7) * now));
   }
 
-  std::optional<Command> partAt() const
+  std::optional<Command> partAt(const std::string& head) const
   {
     std::smatch at;
-    if (!std::regex_search(said_, at, std::regex("mm2 at " + place)))
+    if (!std::regex_search(head, at, std::regex("^--part-at " + place)) && !std::regex_search(said_, at, std::regex("mm2 at " + place)))
       return std::nullopt;
     return with(command_, "--part-at", at[1].str() + "," + at[2].str() + "," + at[3].str());
   }

@@ -15,7 +15,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double early_cost = 1.0 / 3.0; // of a path: a try refused before turns are made
+constexpr double all_points = 0.98; // share of the points: a path over fewer does not cut the whole scan
 
 /** Whether turns were made. */
 bool
@@ -24,22 +24,15 @@ wasLate(const std::vector<PlanAttempt>& attempts)
   return std::any_of(attempts.begin(), attempts.end(), [](const PlanAttempt& one) { return one.late; });
 }
 
-/** How long the tries of \p attempts took, in paths. */
-double
-costOf(const std::vector<PlanAttempt>& attempts)
-{
-  double cost = 0.0;
-  for (const PlanAttempt& one : attempts)
-    cost += one.refusal.empty() || one.late ? 1.0 : early_cost;
-  return std::max(cost, early_cost);
-}
-
 /** What the path of \p plan is like. */
 Diagnostic
 figuresOf(const SpiralPlan& plan)
 {
   const SpiralReport& report = plan.report;
   Diagnostic text("a path of ", std::round(report.path_length), " {mm}");
+  const std::size_t all = plan.whole ? plan.whole->size() : report.input_points;
+  if (static_cast<double>(report.used_points) < all_points * static_cast<double>(all))
+    text += Diagnostic(" over ", report.used_points, " of ", all, " points");
   double tight = 0.0, uncut = 0.0;
   for (const TightPlace& place : report.tight_places)
     tight += place.area;
@@ -67,23 +60,32 @@ spacingAt(const pcl::PointCloud<pcl::PointXYZ>& cloud, const Eigen::Vector3d& pl
   return evenSpacing(std::sqrt(squared[few - 1]), static_cast<int>(few));
 }
 
-/** What another scan has to show, by the first place of what was \p said. */
+/** What another scan has to show, by the first place of what was \p said, and what of the choice of the part is in the way. */
 Diagnostic
 lackOf(const PlanInput& input, const Diagnostic& said)
 {
-  if (said.places().empty())
-    return ". What helps is another scan: {scan it again, more densely}";
-  const Eigen::Vector3d place = said.places().front();
-  if (input.mesh || !input.cloud || input.cloud->empty())
-    return Diagnostic(". What is missing is at ", Place(place), ": {scan it again, more densely}");
-  return Diagnostic(". What the {scan} lacks is at ", Place(place), ", where its points lie ", spacingAt(*input.cloud, place),
-                    " {mm} apart and do not show one surface for this ball: {scan it again, more densely}, or from another side");
+  Diagnostic lack = ". What the {scan} lacks: {scan it again, more densely}";
+  if (!said.places().empty()) {
+    const Eigen::Vector3d place = said.places().front();
+    lack = Diagnostic(". What the {scan} lacks is at ", Place(place));
+    if (!input.mesh && input.cloud)
+      lack += Diagnostic(", where its points lie ", spacingAt(*input.cloud, place), " {mm} apart");
+    lack += ": {scan it again, more densely}";
+  }
+  if (!input.mesh)
+    lack += ", or from another side";
+  if (!input.choice.keep_outs.empty())
+    lack += ", or give smaller keep-outs ({addKeepOut})";
+  if (input.choice.crop || input.choice.crop_box)
+    lack += Diagnostic(", or another crop (", input.choice.crop ? "{setCrop}" : "{setCropBox}", ")");
+  return lack;
 }
 
 /** A search through changes, first each alone, then two together. */
 class Search {
 public:
-  Search(const PlanInput& input, const PlanChanged& plan) : input_(input), plan_(plan)
+  Search(const PlanInput& input, const PlanChanged& plan)
+  : input_(input), plan_(plan), left_(std::make_shared<double>(input.remedy_tries))
   {
     if (input.choice.keep_outs.empty() && input.regions.size() < 2 && !input.mesh && !input.ball_closing)
       surface_ = std::make_shared<Surface::ConstPtr>();
@@ -93,16 +95,17 @@ public:
   Diagnostic run(const Refused& refused)
   {
     if (std::optional<Diagnostic> found = tryEach(input_, refused, nullptr))
-      return ". Of single changes that were tried, this one alone gives a path: " + *found;
-    const std::vector<Step> alone = std::move(refused_);
+      return ". Of single changes that were tried, one gives " + *found;
+    const Diagnostic alone = words_;
+    const std::vector<Step> steps = std::move(refused_);
     surface_.reset();
-    for (const Step& step : alone)
+    for (const Step& step : steps)
       if (std::optional<Diagnostic> found = tryEach(step.change.input, step.refused, &step.change.words))
-        return ". Of single changes that were tried, none gives a path, but two together do: " + *found;
+        return ". Of single changes that were tried, none gives a path, but two together give " + *found;
     if (stopped_)
       return ". The search for a change that gives a path was stopped";
     const Diagnostic lack = lackOf(input_, refused.status.diagnostic());
-    return alone.empty() ? lack : ". Of changes that were tried, none gives a path: " + listOf(alone) + lack;
+    return alone.empty() ? lack : ". Of changes that were tried, none gives a path: " + alone + lack;
   }
 
 private:
@@ -116,28 +119,21 @@ private:
   std::optional<Diagnostic> tryEach(const PlanInput& input, const Refused& refused, const Diagnostic* before)
   {
     for (SingleChange& change : singleChanges(input, refused)) {
-      if (stopped_ || !(spent_ < input_.remedy_tries))
+      if (stopped_ || !(*left_ > 0.0))
         return std::nullopt;
       change.input.kept_surface = change.keeps_surface ? surface_ : nullptr;
+      change.input.paths_left = left_;
       change.input.progress = progressOfTry();
       SpiralPlan with;
       const Status status = plan_(change.input, with);
       const Diagnostic words = before ? Diagnostic(*before, " and ", change.words) : change.words;
       if (status.ok())
-        return Diagnostic(words, ": ", figuresOf(with));
-      spent_ += costOf(with.attempts);
+        return Diagnostic(figuresOf(with), ": ", words);
+      words_ += Diagnostic(words_.empty() ? "" : "; ", change.words);
       if (status.code() != StatusCode::InvalidArgument && status.diagnostic() != refused.status.diagnostic())
         refused_.push_back({change, {status, wasLate(with.attempts)}});
     }
     return std::nullopt;
-  }
-
-  static Diagnostic listOf(const std::vector<Step>& steps)
-  {
-    Diagnostic list;
-    for (const Step& step : steps)
-      list += Diagnostic(list.empty() ? "" : "; ", step.change.words);
-    return list;
   }
 
   /** The share stays where it was. */
@@ -155,7 +151,8 @@ private:
   const PlanChanged& plan_;
   std::shared_ptr<Surface::ConstPtr> surface_; ///< of the input, once it is made; null: each try makes its own
   std::vector<Step> refused_;                  ///< changes that gave no path
-  double spent_ = 0.0;                         ///< paths
+  Diagnostic words_;                           ///< of the changes tried
+  std::shared_ptr<double> left_;               ///< PlanInput::paths_left
   std::size_t tried_ = 0;                      ///< changes
   bool stopped_ = false;                       ///< by the progress callback
 };

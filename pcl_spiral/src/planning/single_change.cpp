@@ -111,11 +111,15 @@ private:
           [height](PlanInput& changed) { changed.settings.scallop_height = height; });
   }
 
-  /** One of several separate parts. */
+  /** Each of several separate parts, the largest first. */
   void addParts()
   {
-    const bool separate = names("setLargestPart") || names("setPartAt");
-    if (separate && !input_.settings.largest_part && !input_.choice.part_at)
+    if (!(names("setLargestPart") || names("setPartAt")) || input_.settings.largest_part || input_.choice.part_at)
+      return;
+    const std::vector<Eigen::Vector3d> parts = placesBehind(said_, "{mm2} at ");
+    for (const Eigen::Vector3d& place : parts)
+      add(Diagnostic("{setPartAt} ", Place(place)), false, true, [place](PlanInput& changed) { changed.choice.part_at = place; });
+    if (parts.empty())
       add("{setLargestPart}", false, true, [](PlanInput& changed) { changed.settings.largest_part = true; });
   }
 

@@ -16,6 +16,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr int most_late = 2;                                  // tries refused late, so that a refusal takes about twice as long as a path
+constexpr double early_cost = 1.0 / 3.0;                      // of a path: a try refused before turns are made, at the longest
 constexpr int most_runs = 4;                                  // of a path that enters keep-outs a little, each time farther away from them
 constexpr double narrowest_strips = 2.0, widest_strips = 5.0; // point spacings
 
@@ -33,7 +34,7 @@ public:
   {
     for (int run = 1;; ++run) {
       const AttemptResult result = leastUncut(plan);
-      if (result.refusal != Refusal::KeepOut || run == most_runs) {
+      if (result.refusal != Refusal::KeepOut || run == most_runs || exhausted()) {
         plan.attempts = std::move(attempts_);
         if (result.status.ok() && choice_.margin > 0.0)
           plan.report.warnings.push_back(Diagnostic("the ball stays ", choice_.margin,
@@ -50,9 +51,14 @@ private:
   {
     plan = base_;
     const AttemptResult result = attempt(input_, choice_, strips, progress_, plan);
+    if (input_.paths_left)
+      *input_.paths_left -= result.status.ok() || result.late ? 1.0 : early_cost;
     attempts_.push_back({choice_.margin, strips.width, strips.cut, result.status.ok() ? Diagnostic() : result.status.diagnostic(), result.late});
     return result;
   }
+
+  /** Whether no more tries are allowed. */
+  bool exhausted() const { return input_.paths_left && !(*input_.paths_left > 0.0); }
 
   /** The path over the whole region. If there is none, or if it crosses a keep-out, the narrowest strips beside keep-outs are left out,
    *  and no more of them than must be. A try that fails soon costs a third of a path or less, so all of these are made. */
@@ -65,7 +71,8 @@ private:
       return first;
     int late = first.refusal == Refusal::NoPath && first.late ? 1 : 0;
     Surface::ConstPtr surface;
-    for (StripChoice strips{narrowest_strips, {}, &surface}; strips.width <= widest_strips && late < most_late; strips.width += 1.0) {
+    for (StripChoice strips{narrowest_strips, {}, &surface}; strips.width <= widest_strips && late < most_late && !exhausted();
+         strips.width += 1.0) {
       const AttemptResult result = tryWith(strips, plan);
       if (result.status.ok()) {
         cutStrips(strips, plan);
@@ -82,7 +89,7 @@ private:
   void cutStrips(StripChoice strips, SpiralPlan& plan)
   {
     const std::size_t found = plan.part.strips.size();
-    for (std::size_t i = 0; i < found && plan.part.strips.size() > 1; ++i) {
+    for (std::size_t i = 0; i < found && plan.part.strips.size() > 1 && !exhausted(); ++i) {
       strips.cut.push_back(i);
       SpiralPlan with;
       if (tryWith(strips, with).status.ok())

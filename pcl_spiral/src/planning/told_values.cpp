@@ -30,6 +30,17 @@ numberBehind(const Diagnostic& said, std::initializer_list<std::string> words)
   return 0.0;
 }
 
+std::vector<Eigen::Vector3d>
+placesBehind(const Diagnostic& said, const std::string& words)
+{
+  const std::string id = said.id(), sought = words + "{place}";
+  const std::vector<Eigen::Vector3d> places = said.places();
+  std::vector<Eigen::Vector3d> found;
+  for (std::size_t at = id.find(sought); at != std::string::npos; at = id.find(sought, at + 1))
+    found.push_back(places.at(countOf("{place}", id, at + words.size())));
+  return found;
+}
+
 std::vector<Eigen::AlignedBox3d>
 extentsOf(const Diagnostic& said)
 {

@@ -18,6 +18,9 @@ namespace pcl_spiral {
 /** The last number of \p said that stands behind one of \p words in its id (Diagnostic::id); 0 if there is none. */
 double numberBehind(const Diagnostic& said, std::initializer_list<std::string> words);
 
+/** The places of \p said that stand behind \p words in its id. */
+std::vector<Eigen::Vector3d> placesBehind(const Diagnostic& said, const std::string& words);
+
 /** The boxes that \p said gives as "from {place} to {place}". */
 std::vector<Eigen::AlignedBox3d> extentsOf(const Diagnostic& said);
 

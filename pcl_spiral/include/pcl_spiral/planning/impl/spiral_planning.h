@@ -36,6 +36,7 @@ struct PlanInput {
   bool keep_surface = false;                                  ///< the plan has the surface of each region
   int remedy_tries = 3;                                       ///< about how many paths a search for a change that helps may cost
   std::shared_ptr<Surface::ConstPtr> kept_surface;            ///< where the surface is kept from plan to plan; null: it is not
+  std::shared_ptr<double> paths_left;                         ///< how many paths tries may still cost; null: no bound
   ProgressCallback progress;                                  ///< may be empty
 };
 
