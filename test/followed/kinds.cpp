@@ -90,7 +90,8 @@ void
 cropped(test::Random& random, RefusedInput& input)
 {
   viewFolded(2, random.below(2) == 0, random, input);
-  const Vector2d middle(random.uniform(-40.0, 40.0), random.uniform(-40.0, 40.0)), half(random.uniform(8.0, 40.0), random.uniform(8.0, 40.0));
+  const Vector2d middle(random.uniform(-40.0, 40.0), random.uniform(-40.0, 40.0)),
+      half(random.uniform(8.0, 40.0), random.uniform(8.0, 40.0));
   std::ostringstream box;
   box << middle.x() - half.x() << ',' << middle.x() + half.x() << ',' << middle.y() - half.y() << ',' << middle.y() + half.y();
   input.arguments = {"--crop", box.str()};
@@ -215,11 +216,21 @@ scene(const char* kind)
 const std::map<std::string, Maker>&
 makers()
 {
-  static const std::map<std::string, Maker> all{
-      {"table", scene("table")},     {"low", scene("low")},     {"clamp", scene("clamp")}, {"fillet", scene("fillet")},
-      {"cluster", scene("cluster")}, {"trees", scene("trees")}, {"coarse", coarse},        {"folded", folded},
-      {"cropped", cropped},          {"sheets", sheets},        {"kept_out", keptOut},     {"narrow", narrow},
-      {"tight", tight},              {"noisy", noisy},          {"holed", holed}};
+  static const std::map<std::string, Maker> all{{"table", scene("table")},
+                                                {"low", scene("low")},
+                                                {"clamp", scene("clamp")},
+                                                {"fillet", scene("fillet")},
+                                                {"cluster", scene("cluster")},
+                                                {"trees", scene("trees")},
+                                                {"coarse", coarse},
+                                                {"folded", folded},
+                                                {"cropped", cropped},
+                                                {"sheets", sheets},
+                                                {"kept_out", keptOut},
+                                                {"narrow", narrow},
+                                                {"tight", tight},
+                                                {"noisy", noisy},
+                                                {"holed", holed}};
   return all;
 }
 

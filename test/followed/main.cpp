@@ -63,7 +63,8 @@ main(int argc, char** argv)
   Choice choice;
   for (int i = 1; i < argc; i += 2)
     if (i + 1 == argc || !take(argv[i], argv[i + 1], choice)) {
-      std::fprintf(stderr, "usage: pcl_spiral_followed [--kind NAME] [--seed N] [--first N] [--count N] [--program FILE] [--stories all]\n");
+      std::fprintf(stderr,
+                   "usage: pcl_spiral_followed [--kind NAME] [--seed N] [--first N] [--count N] [--program FILE] [--stories all]\n");
       return 2;
     }
   std::map<std::string, std::map<End, std::size_t>> counts;

@@ -84,9 +84,10 @@ public:
         !has("and or with to alone gives the in", value[1].str().c_str()))
       return option == "--clusters" && value[1] == "leave-out" ? std::nullopt : std::optional<Command>(with(command_, option, value[1]));
     if (option == "--method")
-      return with(command_, option, before.rfind("radial") != std::string::npos && !has(before.substr(before.rfind("radial")), "onstant scallop")
-                                        ? "radial"
-                                        : "constant-scallop");
+      return with(command_, option,
+                  before.rfind("radial") != std::string::npos && !has(before.substr(before.rfind("radial")), "onstant scallop")
+                      ? "radial"
+                      : "constant-scallop");
     if (option == "--tool-radius")
       return toolRadius(head, before);
     if (option == "--scallop")

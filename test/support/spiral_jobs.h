@@ -35,6 +35,7 @@ spiralOver(const std::function<ScanPtr()>& scan, const char* words, const Spiral
     planner.setInputCloud(scan());
     planner.setToolRadius(3.0);
     planner.setScallopHeight(0.05);
+    planner.setRemedyTries(0); // what the refusal itself names
     change(planner);
   };
   return remediedJob<Spiral>(words, saySpiral, prepare, remedies);

@@ -84,8 +84,7 @@ lackOf(const PlanInput& input, const Diagnostic& said)
 /** A search through changes, first each alone, then two together. */
 class Search {
 public:
-  Search(const PlanInput& input, const PlanChanged& plan)
-  : input_(input), plan_(plan), left_(std::make_shared<double>(input.remedy_tries))
+  Search(const PlanInput& input, const PlanChanged& plan) : input_(input), plan_(plan), left_(std::make_shared<double>(input.remedy_tries))
   {
     if (input.choice.keep_outs.empty() && input.regions.size() < 2 && !input.mesh && !input.ball_closing)
       surface_ = std::make_shared<Surface::ConstPtr>();

@@ -69,8 +69,9 @@ bool
 needsSurface(const PlanInput& input, const PartChoice& choice, const SpiralPlan& plan)
 {
   // The other parts and the clusters are looked at again when the path is there.
-  return plan.mesh || input.keep_surface || input.kept_surface || !plan.part.beside.empty() || choice.part_at || input.settings.largest_part ||
-         choice.clusters == ClusterHandling::Ride || (!input.holder.empty() && choice.clusters == ClusterHandling::LeaveOut);
+  return plan.mesh || input.keep_surface || input.kept_surface || !plan.part.beside.empty() || choice.part_at ||
+         input.settings.largest_part || choice.clusters == ClusterHandling::Ride ||
+         (!input.holder.empty() && choice.clusters == ClusterHandling::LeaveOut);
 }
 
 /** The settings for the generator. */

@@ -12,10 +12,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double lower_scallop = 0.7;                         // of the scallop height: turns run elsewhere, and the finish stays
-constexpr std::array<double, 2> smaller_balls{0.7, 0.5};      // of the radius, if the refusal tells none
+constexpr double lower_scallop = 0.7;                           // of the scallop height: turns run elsewhere, and the finish stays
+constexpr std::array<double, 2> smaller_balls{0.7, 0.5};        // of the radius, if the refusal tells none
 constexpr std::array<double, 2> keep_out_half_widths{2.0, 4.0}; // radii, about a place
-constexpr double more_room = 1.5;                             // times the depth that a shank cuts: its lean changes with the place
+constexpr double more_room = 1.5;                               // times the depth that a shank cuts: its lean changes with the place
 
 /** Settings that say what is wanted, not how it is reached: their defaults are no remedy. */
 constexpr std::array<const char*, 5> wanted{"setToolRadius", "setScallopHeight", "setChordError", "setViewPoint", "setFlipNormals"};
@@ -99,13 +99,11 @@ private:
     const bool clockwise = s.sense == SpiralSense::Clockwise;
     const double height = roundedDown(lower_scallop * s.scallop_height);
     if (late_ || names("setMethod"))
-      add(is_radial ? "{setMethod} constant-scallop" : "{setMethod} radial", true, names("setMethod"), [is_radial](PlanInput& changed) {
-        changed.settings.method = is_radial ? SpiralMethod::ConstantScallop : SpiralMethod::Radial;
-      });
+      add(is_radial ? "{setMethod} constant-scallop" : "{setMethod} radial", true, names("setMethod"),
+          [is_radial](PlanInput& changed) { changed.settings.method = is_radial ? SpiralMethod::ConstantScallop : SpiralMethod::Radial; });
     if (late_ || names("setSense"))
-      add(clockwise ? "{setSense} ccw" : "{setSense} cw", true, names("setSense"), [clockwise](PlanInput& changed) {
-        changed.settings.sense = clockwise ? SpiralSense::CounterClockwise : SpiralSense::Clockwise;
-      });
+      add(clockwise ? "{setSense} ccw" : "{setSense} cw", true, names("setSense"),
+          [clockwise](PlanInput& changed) { changed.settings.sense = clockwise ? SpiralSense::CounterClockwise : SpiralSense::Clockwise; });
     if (late_ || names("setScallopHeight"))
       add(Diagnostic("{setScallopHeight} ", height), true, names("setScallopHeight"),
           [height](PlanInput& changed) { changed.settings.scallop_height = height; });
@@ -126,7 +124,8 @@ private:
   void addClosing()
   {
     if (!input_.ball_closing && input_.cloud && !input_.mesh && knowsSide(input_))
-      add("{setBallClosing}, with a fixed tool axis", false, names("setBallClosing"), [](PlanInput& changed) { changed.ball_closing = true; });
+      add("{setBallClosing}, with a fixed tool axis", false, names("setBallClosing"),
+          [](PlanInput& changed) { changed.ball_closing = true; });
   }
 
   /** Keep-outs about what the refusal gives the extents of, or about its first place. */

@@ -53,7 +53,8 @@ private:
     const AttemptResult result = attempt(input_, choice_, strips, progress_, plan);
     if (input_.paths_left)
       *input_.paths_left -= result.status.ok() || result.late ? 1.0 : early_cost;
-    attempts_.push_back({choice_.margin, strips.width, strips.cut, result.status.ok() ? Diagnostic() : result.status.diagnostic(), result.late});
+    attempts_.push_back(
+        {choice_.margin, strips.width, strips.cut, result.status.ok() ? Diagnostic() : result.status.diagnostic(), result.late});
     return result;
   }
 
