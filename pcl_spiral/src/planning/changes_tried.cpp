@@ -39,9 +39,9 @@ figuresOf(const SpiralPlan& plan)
   for (const UncutStrip& strip : plan.part.strips)
     uncut += strip.area;
   if (!report.tight_places.empty())
-    text += Diagnostic(", with ", report.tight_places.size(), " places that the ball does not reach, ", tight, " {mm2} in all");
+    text += Diagnostic("; places that the ball does not reach: ", report.tight_places.size(), ", ", tight, " {mm2} in all");
   if (uncut > 0.0)
-    text += Diagnostic(", and ", uncut, " {mm2} beside keep-outs that are not cut");
+    text += Diagnostic("; not cut beside keep-outs: ", uncut, " {mm2}");
   return text;
 }
 

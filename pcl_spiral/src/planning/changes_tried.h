@@ -13,10 +13,10 @@ namespace pcl_spiral {
 /** Plans an input that was changed. */
 using PlanChanged = std::function<Status(const PlanInput&, SpiralPlan&)>;
 
-/** What to add to the \p refusal of \p input after \p attempts: the first change with which \p plan gives a path that passes all checks, with
- *  its length and what it leaves: a single one, else two together; or which changes were tried, and the place that another scan has to show.
- *  The search ends when it has taken about as long as PlanInput::remedy_tries paths, or when the progress callback of \p input asks for
- *  it. */
+/** What to add to the \p refusal of \p input after \p attempts: the first change with which \p plan gives a path that passes all checks,
+ *  with its length and what it leaves: a single one, else two together; or which changes were tried, and the place that another scan has
+ *  to show. The search ends when it has taken about as long as PlanInput::remedy_tries paths, or when the progress callback of \p input
+ *  asks for it. */
 Diagnostic changeThatHelps(const PlanInput& input, const Status& refusal, const std::vector<PlanAttempt>& attempts,
                            const PlanChanged& plan);
 

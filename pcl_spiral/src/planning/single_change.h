@@ -24,8 +24,8 @@ struct Refused {
   bool late = false; ///< turns were made
 };
 
-/** Changes of \p input that may lead to a path where it is \p refused: what the refusal names, with the values and places that it tells; then
- *  what often helps where it does not say how. In both, those that cost little come first. */
+/** Changes of \p input that may lead to a path where it is \p refused: what the refusal names, with the values and places that it tells;
+ *  then what often helps where it does not say how. In both, those that cost little come first. */
 std::vector<SingleChange> singleChanges(const PlanInput& input, const Refused& refused);
 
 } // namespace pcl_spiral
