@@ -50,6 +50,14 @@ driveRun(const Job& job, const Result& result)
   return {{job, job.feed, result.program, result.motion}, job.drive, !job.no_gouge_check, job.largest_part, job.thinning};
 }
 
+/** \p run with the passes in 3-D. */
+DriveRun
+withScene(DriveRun run, const Result& result)
+{
+  run.scene = reportScene(result, run.feed, result.program, result.motion);
+  return run;
+}
+
 } // namespace
 
 void
@@ -68,7 +76,7 @@ writeOutputs(const Job& job, const Result& result, OutputFiles& files)
     }
     else if (extension == ".html")
       writeDriveReportHTML(files.temporary(next++), {titleOf(job), madeBy("pcl_spiral_drive"), job.command}, runFiles(job),
-                           driveRun(job, result), result, pictures.forReport(kinds));
+                           withScene(driveRun(job, result), result), result, pictures.forReport(kinds));
     else if (extension == ".json")
       writeDriveReportJSON(files.temporary(next++), runFiles(job), driveRun(job, result), result);
     else

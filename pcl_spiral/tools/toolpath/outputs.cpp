@@ -132,6 +132,25 @@ isReport(const std::string& output)
   return extensionOf(output) == ".json" || extensionOf(output) == ".html";
 }
 
+/** The run in 3-D. */
+std::shared_ptr<const ReportScene>
+sceneOf(const Result& result)
+{
+  std::vector<Heights> heights;
+  std::vector<Verification> figures;
+  const auto add = [&](const Judged& judged) {
+    if (!judged.verification)
+      return;
+    heights.push_back(judged.heights);
+    figures.push_back(*judged.verification);
+  };
+  if (result.regions.empty())
+    add(result.judged);
+  for (const Judged& region : result.regions)
+    add(region);
+  return reportScene(result.plan, heights, figures, result.program, result.motion);
+}
+
 void
 writeReport(const Job& job, const Result& result, const std::string& title, const Pictures& pictures, const std::string& file)
 {
@@ -152,6 +171,7 @@ writeReport(const Job& job, const Result& result, const std::string& title, cons
   report.judged = pictures.files.forReport(judging_kinds);
   for (std::size_t k = 0; k < pictures.of_regions.size(); ++k)
     report.regions[k].judged = pictures.of_regions[k];
+  report.scene = sceneOf(result);
   writeReportHTML(file, {title, madeBy("pcl_spiral_toolpath"), job.command}, files, report);
 }
 

@@ -4,6 +4,7 @@
 #include "path_program.h"
 #include "program/program_check.h"
 #include "terminal/failure.h"
+#include "terminal/file_names.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
@@ -15,6 +16,8 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/mesh_reader.h>
 #include <pcl_spiral/planning/spiral_planner.h>
+
+#include <algorithm>
 
 using namespace pcl_spiral;
 
@@ -89,6 +92,13 @@ settingsOf(const Job& job, const Result& result)
   return settings;
 }
 
+/** Whether a report shows the surface. */
+bool
+writesPage(const std::vector<std::string>& outputs)
+{
+  return std::any_of(outputs.begin(), outputs.end(), [](const std::string& output) { return extensionOf(output) == ".html"; });
+}
+
 void
 setHolder(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner)
 {
@@ -98,7 +108,8 @@ setHolder(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner)
   planner.setHolder(job.holder);
   planner.setHolderClearance(job.holder_clearance);
   planner.setAcceptCollisions(job.program.accept_collisions);
-  planner.setKeepSurface(!job.reach.empty() || !job.raw_scan.empty() || (job.verify && judgedByTheSameSurface(job.settings)));
+  planner.setKeepSurface(!job.reach.empty() || !job.raw_scan.empty() || writesPage(job.outputs) ||
+                         (job.verify && judgedByTheSameSurface(job.settings)));
 }
 
 /** Says what smoothing moved, if there is a raw scan, and warns where the ball cuts into its points.

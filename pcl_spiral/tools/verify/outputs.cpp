@@ -41,6 +41,8 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
     mesh_ = JudgedMesh{faces.counts(), faces.settings(), mesh->faceCount(), mesh->spacing()};
   }
   const bool report = writes(job_, ".html");
+  if (report)
+    addToScene(input, part, judged, feed);
   if (report || writes(job_, ".png")) {
     const VerificationScene scene = judgedScene(part.cloud, judged.path, input.settings, surface, judged.verification, judged.heights);
     if (report)
@@ -59,11 +61,30 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
 }
 
 void
+VerifyOutputs::addToScene(const JudgedInput& input, const JudgedPart& part, const JudgedPath& judged, const std::vector<double>& feed)
+{
+  if (judged.verification.path != job_.paths.front())
+    return;
+  const bool first = !scene_;
+  if (first)
+    scene_ = std::make_unique<SceneBuilder>(LedTool{job_.settings.cutter});
+  if (!input.settings.mesh)
+    scene_->addScan(part.reference->scanned(), &judged.heights);
+  else if (first)
+    scene_->addFaces(*input.settings.mesh, &judged.heights);
+  const ShownPath path{*judged.path, judged.tips, passBegins(*judged.path), feed.empty() ? 0.0 : feed.front(), judged.heights.deviation};
+  scene_->addPath(path, judged.verification.program ? judged.verification.program->lines : std::vector<std::size_t>());
+  scene_->addFigures(judged.verification, job_.settings.chord_error);
+}
+
+void
 VerifyOutputs::finish(const Diagnostics& warnings)
 try {
-  const VerificationRun run{
+  VerificationRun run{
       job_.scan(), job_.read.unit, job_.settings.cutter, job_.settings.scallop_height, job_.settings.chord_error, warnings, job_.limits,
       mesh_,       scanShift(),    programWords()};
+  if (scene_)
+    run.scene = scene_->build();
   const std::string title = std::filesystem::path(job_.paths.front()).filename().string() + (job_.paths.size() > 1 ? " and others" : "");
   std::size_t i = 0;
   for (const std::string& output : job_.outputs) {

@@ -6,6 +6,7 @@
 
 #include "verify_job.h"
 
+#include "io/report/scene_builder.h"
 #include <pcl_spiral/io/output_files.h>
 #include <pcl_spiral/io/verification_writer.h>
 #include <pcl_spiral/planning/impl/path_judge.h>
@@ -25,6 +26,9 @@ public:
   void finish(const pcl_spiral::Diagnostics& warnings);
 
 private:
+  void addToScene(const pcl_spiral::JudgedInput& input, const pcl_spiral::JudgedPart& part, const pcl_spiral::JudgedPath& judged,
+                  const std::vector<double>& feed);
+
   const VerifyJob& job_;
   std::optional<pcl_spiral::JudgedMesh> mesh_; ///< absent: a scan
   pcl_spiral::OutputFiles files_;
@@ -32,4 +36,5 @@ private:
   pcl_spiral::StockMesh left_; ///< of the path, over all regions
   std::vector<pcl_spiral::Verification> verifications_;
   std::vector<std::vector<pcl_spiral::ReportPicture>> report_pictures_; ///< of each path
+  std::unique_ptr<pcl_spiral::SceneBuilder> scene_;                     ///< of the first path over all regions; null: no page
 };

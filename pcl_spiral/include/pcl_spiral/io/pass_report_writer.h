@@ -10,6 +10,7 @@
 #include <pcl_spiral/planning/pass_plan.h>
 #include <pcl_spiral/planning/ridge_plan.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,10 +19,11 @@ namespace pcl_spiral {
 
 /** What a report of passes says beside their plan and the files of the run. Lengths in mm. */
 struct PassRun {
-  PassSettings tool;                     ///< of the planner
-  double feed = 1000.0;                  ///< mm/min
-  std::optional<MachineProgram> program; ///< absent: none was made
-  std::optional<MotionStudy> motion;     ///< of the program; absent: its time is not known
+  PassSettings tool;                                  ///< of the planner
+  double feed = 1000.0;                               ///< mm/min
+  std::optional<MachineProgram> program;              ///< absent: none was made
+  std::optional<MotionStudy> motion;                  ///< of the program; absent: its time is not known
+  std::shared_ptr<const ReportScene> scene = nullptr; ///< in 3-D, for the page; null: pictures alone
 };
 
 /** Passes of DrivePlanner, with what it was told. */
@@ -42,6 +44,11 @@ struct RidgeRun : PassRun {
   double half_width = 0.0; ///< RidgePlanner::setHalfWidth
   bool closed = false;     ///< RidgePlanner::setClosed
 };
+
+/** \p plan in 3-D, for PassRun::scene: its part, and the tool along its passes at \p feed mm/min, or along \p program in the times of
+ *  \p motion. */
+std::shared_ptr<const ReportScene> reportScene(const PassPlan& plan, double feed, const std::optional<MachineProgram>& program = {},
+                                               const std::optional<MotionStudy>& motion = {});
 
 /** Settings, counts, states of locations, collisions, times and warnings of a drive path. \throw FileError; std::invalid_argument for
  *  an empty plan */

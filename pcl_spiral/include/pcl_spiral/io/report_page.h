@@ -23,6 +23,9 @@ struct ReportPicture {
   std::string caption; ///< below the picture
 };
 
+/** A part with path, stock and tool, to turn and to play in a report; made by reportScene. */
+struct ReportScene;
+
 /** Options of a program by name, with their values as given; "output" once for each file. */
 using RunOptions = std::vector<std::pair<std::string, std::string>>;
 

@@ -14,11 +14,14 @@
 #include <pcl_spiral/spiral/spiral_settings.h>
 #include <pcl_spiral/verify/verification.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl_spiral {
+
+struct Heights;
 
 /** A mesh; its samples are the points of a run. */
 struct RunMesh {
@@ -49,11 +52,12 @@ struct PathReport {
 
 /** A path with its settings. */
 struct RunReport : PathReport {
-  SpiralSettings settings;             ///< as used
-  std::optional<MotionStudy> motion;   ///< of the program, if one was made
-  std::optional<RunMesh> mesh;         ///< if the points are samples of a mesh
-  std::vector<ReportPicture> pictures; ///< of the path
-  std::vector<PathReport> regions;     ///< if there are several; what is above is then of all together, and each is judged on its own
+  SpiralSettings settings;                  ///< as used
+  std::optional<MotionStudy> motion;        ///< of the program, if one was made
+  std::optional<RunMesh> mesh;              ///< if the points are samples of a mesh
+  std::vector<ReportPicture> pictures;      ///< of the path
+  std::vector<PathReport> regions;          ///< if there are several; what is above is then of all together, and each is judged on its own
+  std::shared_ptr<const ReportScene> scene; ///< in 3-D, see reportScene; null: pictures alone
 };
 
 /** What \p plan says. \p judged: of its path, or of each of its regions; empty: not judged.
@@ -65,6 +69,14 @@ struct RunReport : PathReport {
  *  writeReportHTML("part.html", {"part.pcd", "", ""}, files, report);
  *  \endcode */
 RunReport reportOf(const SpiralPlan& plan, const std::vector<Verification>& judged = {});
+
+/** \p plan in 3-D, for RunReport::scene: its part, if the plan has its surface (SpiralPlanner::setKeepSurface) or a mesh, and the tool along
+ *  its path, or along \p program in the times of \p motion. \p judged and \p figures: what PathVerifier found of it, or of each of its
+ *  regions; empty: not judged. */
+std::shared_ptr<const ReportScene> reportScene(const SpiralPlan& plan, const std::vector<Heights>& judged = {},
+                                               const std::vector<Verification>& figures = {},
+                                               const std::optional<MachineProgram>& program = {},
+                                               const std::optional<MotionStudy>& motion = {});
 
 /** Input, settings, loops, counts, time and memory of each stage and warnings of a run, and the figures of the path if it was judged; no
  *  pictures. Units: mm, degrees, seconds, MB (10^6 bytes; see MemoryUse). \throw FileError */

@@ -11,6 +11,7 @@
 #include <pcl_spiral/mesh/surface_mesh.h>
 #include <pcl_spiral/verify/verification.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ struct VerificationRun {
   std::optional<JudgedMesh> mesh = std::nullopt;   ///< absent: a scan
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< of map coordinates, mm, see Scan::shift: added to all places
   Vocabulary words = {};                           ///< of what the verifications say
+  std::shared_ptr<const ReportScene> scene = {};   ///< of the first path, in 3-D; null: pictures alone
 };
 
 /** Settings, and the figures of each path with their places; Verification::path and Verification::region name it, set them first.

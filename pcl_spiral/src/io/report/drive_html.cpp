@@ -3,6 +3,7 @@
 #include "io/cutter_text.h"
 #include "motion_report.h"
 #include "moved_places.h"
+#include "scene_html.h"
 #include "verification_html.h"
 
 #include "io/setting_names.h"
@@ -98,6 +99,20 @@ addTimes(HtmlPage& page, const PassPlan& result)
   page.addTable(rows, false);
 }
 
+/** What the planner knows of the passes. */
+void
+addStatement(HtmlPage& page, const PassPlan& plan)
+{
+  const LocationFigures& f = plan.locations;
+  std::vector<std::string> grounds;
+  if (f.collisions > 0)
+    grounds.push_back(formatted("shank or holder collide at %zu locations, up to %.4g mm deep", f.collisions, f.deepest_collision));
+  if (plan.left_out.count() > 0)
+    grounds.push_back(formatted("%zu locations are left out because of keep-outs and the scan beside the part", plan.left_out.count()));
+  grounds.push_back("pcl_spiral_verify checks deviation, scallop and gouge against the part");
+  page.addStatement(f.collisions > 0 ? Tone::Bad : Tone::Neutral, "Not judged", grounds);
+}
+
 } // namespace
 
 void
@@ -111,13 +126,15 @@ writeDriveReportHTML(const std::string& file, const ReportPage& page, const RunF
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
   HtmlPage html(page.title,
                 Diagnostic("Passes over a ", plan.mesh ? "mesh" : "scanned surface", "; cutter of ", cutterText(run.tool.cutter)).text());
-  html.addPart("Path and surface");
+  addStatement(html, plan);
+  addScene(run.scene.get(), html);
+  addWarnings(html, textsOf(warnings, words));
   for (const ReportPicture& picture : pictures)
     html.addPicture(picture);
+  html.addPart("Path and surface");
   addPath(html, run, plan);
   addPart(html, words, plan);
   html.addPart("Run");
-  addWarnings(html, textsOf(warnings, words));
   addSettings(html, files, run);
   addTimes(html, plan);
   if (!page.command.empty()) {

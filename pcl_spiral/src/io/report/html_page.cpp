@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "html_page.h"
 
+#include "base64_text.h"
+#include "embedded_texts.h"
 #include "io/byte_file.h"
 
 #include "common/readable_text.h"
-
-#include <vtkBase64Utilities.h>
 
 #include <algorithm>
 
 namespace pcl_spiral {
 namespace {
+
+/** The page asks for nothing outside. */
+const char* const policy = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 const char* const style = R"(
 body { font: 15px/1.45 "Liberation Sans", Arial, Helvetica, sans-serif; color: #21262e; background: #fff;
@@ -46,16 +49,6 @@ pre { background: #f2f4f6; padding: 10px 14px; white-space: pre-wrap; overflow-w
 )";
 
 std::string
-base64(const std::string& bytes)
-{
-  std::string text(4 * ((bytes.size() + 2) / 3) + 4, '\0');
-  const unsigned long length = vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
-                                                          reinterpret_cast<unsigned char*>(text.data()));
-  text.resize(length);
-  return text;
-}
-
-std::string
 element(const char* name, const std::string& text)
 {
   return std::string("<") + name + ">" + escaped(text) + "</" + name + ">\n";
@@ -65,9 +58,10 @@ element(const char* name, const std::string& text)
 
 HtmlPage::HtmlPage(const std::string& title, const std::string& subtitle)
 : body_("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        "<meta name=\"viewport\" content=\"width=device-width\"/>\n" +
-        element("title", title) + "<style>" + style + "</style>\n</head>\n<body>\n" + element("h1", title) + "<p class=\"subtitle\">" +
-        escaped(subtitle) + "</p>\n")
+        "<meta name=\"viewport\" content=\"width=device-width\"/>\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+        std::string(policy) + "\"/>\n" + element("title", title) + "<style>" + style + scene_style + "</style>\n</head>\n<body>\n" +
+        element("h1", title) + "<p class=\"subtitle\">" + escaped(subtitle) + "</p>\n")
 {}
 
 void
@@ -140,9 +134,16 @@ HtmlPage::addTable(const HtmlRows& rows, bool head)
 }
 
 void
+HtmlPage::addMarkup(const std::string& markup)
+{
+  body_ += markup;
+}
+
+void
 HtmlPage::addPicture(const ReportPicture& picture)
 {
-  body_ += "<figure><img alt=\"" + escaped(picture.caption) + "\" src=\"data:image/png;base64," + base64(readBytes(picture.file)) + "\"/>" +
+  const std::string png = readBytes(picture.file);
+  body_ += "<figure><img alt=\"" + escaped(picture.caption) + "\" src=\"data:image/png;base64," + base64(png.data(), png.size()) + "\"/>" +
            element("figcaption", picture.caption) + "</figure>\n";
 }
 

@@ -36,6 +36,8 @@ public:
   void addList(const std::vector<std::string>& items);
   /** With a head: its first row. Columns without text are left out. */
   void addTable(const HtmlRows& rows, bool head);
+  /** Parts of a page that are HTML and XML already. */
+  void addMarkup(const std::string& markup);
   /** \throw FileError if the picture cannot be read */
   void addPicture(const ReportPicture& picture);
 

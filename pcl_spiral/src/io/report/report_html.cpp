@@ -5,6 +5,7 @@
 #include "mesh/mesh_findings.h"
 #include "motion_report.h"
 #include "moved_places.h"
+#include "scene_html.h"
 #include <pcl_spiral/io/report_writer.h>
 
 #include <pcl_spiral/core/diagnostic.h>
@@ -204,27 +205,77 @@ addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verific
   page.addTable(rows, true);
 }
 
-/** The figures of a judged path; adds its warnings to \p warnings, each once. */
-void
-addJudged(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const Verification& verification,
-          const std::vector<ReportPicture>& pictures, Diagnostics& warnings)
+/** What judges a path of the page. */
+VerificationRun
+judgingOf(const RunFiles& files, const SpiralSettings& settings)
 {
-  for (const Diagnostic& warning : warningsOf(verification))
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-      warnings.push_back(warning);
   VerificationRun run{files.scan, files.unit, CutterShape::ball(settings.tool_radius), settings.scallop_height, settings.chord_error,
                       {},         {}};
   run.words = files.words;
-  addVerification(page, run, verification, pictures);
+  return run;
+}
+
+/** The path, or its regions if there are several. */
+std::vector<const PathReport*>
+judgedParts(const RunReport& run)
+{
+  std::vector<const PathReport*> parts;
+  if (run.verification)
+    parts.push_back(&run);
+  for (const PathReport& region : run.regions)
+    if (region.verification)
+      parts.push_back(&region);
+  return parts;
+}
+
+/** Warnings of reading, planning and judging, each once. */
+Diagnostics
+allWarnings(const RunFiles& files, const RunReport& run)
+{
+  Diagnostics warnings = files.warnings;
+  warnings.insert(warnings.end(), run.report.warnings.begin(), run.report.warnings.end());
+  for (const PathReport* part : judgedParts(run))
+    for (const Diagnostic& warning : warningsOf(*part->verification))
+      if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+        warnings.push_back(warning);
+  return warnings;
+}
+
+/** What is looked at first. */
+void
+addVerdicts(HtmlPage& page, const RunFiles& files, const RunReport& run)
+{
+  const std::vector<const PathReport*> judged = judgedParts(run);
+  for (const PathReport* part : judged)
+    addVerdict(page, judgingOf(files, run.settings), *part->verification, judged.size() > 1);
+  if (judged.empty())
+    page.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify checks deviation, scallop and gouge against the scan"});
+}
+
+void
+addPictures(HtmlPage& page, const RunReport& run)
+{
+  for (const ReportPicture& picture : run.judged)
+    page.addPicture(picture);
+  for (const PathReport& region : run.regions) {
+    if (!region.judged.empty())
+      page.addHeading(region.name);
+    for (const ReportPicture& picture : region.judged)
+      page.addPicture(picture);
+  }
+  if (!run.regions.empty() && !run.pictures.empty())
+    page.addHeading("All regions");
+  for (const ReportPicture& picture : run.pictures)
+    page.addPicture(picture);
 }
 
 void
 addRegion(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const std::optional<RunMesh>& mesh,
-          const PathReport& region, Diagnostics& warnings)
+          const PathReport& region)
 {
   page.addPart(region.name);
   if (region.verification)
-    addJudged(page, files, settings, *region.verification, region.judged, warnings);
+    addFigures(page, judgingOf(files, settings), *region.verification);
   addPath(page, region.report, settings);
   addSurface(page, files, mesh, region.report);
 }
@@ -241,19 +292,15 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
   const SpiralReport& report = run.report;
   HtmlPage html(page.title, formatted("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm",
                                       settings.tool_radius, settings.scallop_height));
-  Diagnostics warnings = files.warnings;
-  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
-  if (run.verification) {
-    html.addPart("Verification");
-    addJudged(html, files, settings, *run.verification, run.judged, warnings);
-  }
-  else if (run.regions.empty() || !run.regions.front().verification)
-    html.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify checks deviation, scallop and gouge against the scan"});
+  addVerdicts(html, files, run);
+  addScene(run.scene.get(), html);
+  addWarnings(html, textsOf(allWarnings(files, run), files.words));
+  addPictures(html, run);
   for (const PathReport& region : run.regions)
-    addRegion(html, files, settings, run.mesh, region, warnings);
+    addRegion(html, files, settings, run.mesh, region);
   html.addPart(run.regions.empty() ? "Path and surface" : "All regions");
-  for (const ReportPicture& picture : run.pictures)
-    html.addPicture(picture);
+  if (run.verification)
+    addFigures(html, judgingOf(files, settings), *run.verification);
   addPath(html, report, settings);
   if (run.motion) {
     html.addHeading("Program");
@@ -262,7 +309,6 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
   if (run.regions.empty())
     addSurface(html, files, run.mesh, report);
   html.addPart("Run");
-  addWarnings(html, textsOf(warnings, files.words));
   addSettings(html, files, settings);
   addTimes(html, report, run.verification ? &*run.verification : nullptr);
   if (!page.command.empty()) {

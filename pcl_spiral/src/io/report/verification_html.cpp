@@ -5,6 +5,7 @@
 #include "io/setting_names.h"
 #include "motion_report.h"
 #include "moved_places.h"
+#include "scene_html.h"
 #include "verify/figure_text.h"
 #include "verify/limit_verdicts.h"
 #include "verify/verification_figures.h"
@@ -93,32 +94,31 @@ figureRows(const FigureTable& table, bool by_line)
   return rows;
 }
 
-void
-addStatement(HtmlPage& page, const VerificationRun& run, const Verification& v, const FigureTable& table)
+/** Whether the limits hold, in words. */
+std::string
+verdictText(const VerificationRun& run, Verdict verdict)
 {
-  Row grounds = textsOf(v.broken, run.words);
-  for (const std::string& unproven : textsOf(v.unproven, run.words))
-    grounds.push_back(unproven);
-  grounds.push_back(filled("largest deviation {deviation/max}; scallop 99.9 % below {material/scallop/p99.9}, highest {material/highest}; "
-                           "gouge {material/gouge}; uncut {material/uncut}; efficiency {material/efficiency}",
-                           table, on_page));
-  switch (verdictOf(run.limits, v)) {
+  switch (verdict) {
   case Verdict::Broken:
-    page.addStatement(Tone::Bad, "Limits are broken", grounds);
-    break;
+    return "Limits are broken";
   case Verdict::Unproven:
-    page.addStatement(Tone::Doubtful,
-                      run.mesh ? "No limit was found broken, but these samples cannot show that all limits are kept"
-                               : "No limit was found broken, but this scan cannot show that all limits are kept",
-                      grounds);
-    break;
+    return run.mesh ? "No limit was found broken, but these samples cannot show that all limits are kept"
+                    : "No limit was found broken, but this scan cannot show that all limits are kept";
   case Verdict::Kept:
-    page.addStatement(Tone::Good, "All stated limits hold", grounds);
-    break;
+    return "All stated limits hold";
   case Verdict::NoLimits:
-    page.addStatement(Tone::Neutral, run.mesh ? "Judged by the mesh; no limits were stated" : "Judged by the scan; no limits were stated",
-                      grounds);
+    break;
   }
+  return run.mesh ? "Judged by the mesh; no limits were stated" : "Judged by the scan; no limits were stated";
+}
+
+Tone
+toneOf(Verdict verdict)
+{
+  return verdict == Verdict::Broken     ? Tone::Bad
+         : verdict == Verdict::Unproven ? Tone::Doubtful
+         : verdict == Verdict::Kept     ? Tone::Good
+                                        : Tone::Neutral;
 }
 
 /** Whether the surface that a value is measured against is known well enough to show that value. */
@@ -167,17 +167,26 @@ addMesh(HtmlRows& rows, const JudgedMesh& mesh)
 } // namespace
 
 void
-addVerification(HtmlPage& page, const VerificationRun& run, const Verification& verification, const std::vector<ReportPicture>& pictures)
+addVerdict(HtmlPage& page, const VerificationRun& run, const Verification& v, bool named)
 {
-  const FigureTable table = figuresOf(verification, run.limits);
-  addStatement(page, run, verification, table);
+  Row grounds = textsOf(v.broken, run.words);
+  for (const std::string& unproven : textsOf(v.unproven, run.words))
+    grounds.push_back(unproven);
+  grounds.push_back(filled("largest deviation {deviation/max}; scallop 99.9 % below {material/scallop/p99.9}, highest {material/highest}; "
+                           "gouge {material/gouge}; uncut {material/uncut}; efficiency {material/efficiency}",
+                           figuresOf(v, run.limits), on_page));
+  const Verdict verdict = verdictOf(run.limits, v);
+  page.addStatement(toneOf(verdict), (named ? nameOf(v) + ": " : std::string()) + verdictText(run, verdict), grounds);
+}
+
+void
+addFigures(HtmlPage& page, const VerificationRun& run, const Verification& verification)
+{
   page.addHeading("Figures");
-  page.addTable(figureRows(table, verification.program.has_value()), true);
+  page.addTable(figureRows(figuresOf(verification, run.limits), verification.program.has_value()), true);
   if (verification.program && verification.program->motion)
     page.addTable(motionRows(*verification.program->motion), false);
   addNoise(page, run, verification.deviation);
-  for (const ReportPicture& picture : pictures)
-    page.addPicture(picture);
 }
 
 HtmlRows
@@ -206,12 +215,24 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
   VerificationRun run = asked;
   run.words = movedBy(run.shift, run.words);
   HtmlPage html(page.title, std::string("Toolpath judged by a ") + (run.mesh ? "mesh" : "scan") + "; cutter of " + cutterText(run.cutter));
-  for (std::size_t i = 0; i < verifications.size(); ++i) {
-    const Verification v = movedBy(run.shift, verifications[i]);
-    if (verifications.size() > 1)
+  std::vector<Verification> moved;
+  for (const Verification& v : verifications)
+    moved.push_back(movedBy(run.shift, v));
+  const bool several = moved.size() > 1;
+  for (const Verification& v : moved)
+    addVerdict(html, run, v, several);
+  addScene(asked.scene.get(), html);
+  for (std::size_t i = 0; i < moved.size() && i < pictures.size(); ++i) {
+    if (several)
+      html.addHeading(nameOf(moved[i]));
+    for (const ReportPicture& picture : pictures[i])
+      html.addPicture(picture);
+  }
+  for (const Verification& v : moved) {
+    if (several)
       html.addPart(nameOf(v));
-    addVerification(html, run, v, i < pictures.size() ? pictures[i] : std::vector<ReportPicture>());
     addWarnings(html, textsOf(warningsOf(v), run.words));
+    addFigures(html, run, v);
     html.addHeading("Time");
     html.addTable(judgingTimes(v), false);
   }

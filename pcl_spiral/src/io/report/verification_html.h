@@ -9,9 +9,11 @@
 
 namespace pcl_spiral {
 
-/** Limits held or broken, figures, what the scan can show of them, pictures; no warnings. */
-void addVerification(HtmlPage& page, const VerificationRun& run, const Verification& verification,
-                     const std::vector<ReportPicture>& pictures);
+/** Limits held or broken, with the region or path if \p named. */
+void addVerdict(HtmlPage& page, const VerificationRun& run, const Verification& verification, bool named);
+
+/** Figures, and what the scan can show of them; no warnings. */
+void addFigures(HtmlPage& page, const VerificationRun& run, const Verification& verification);
 
 /** How long the steps of judging took: rows of name and seconds. */
 HtmlRows judgingTimes(const Verification& verification);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  Puts a scene together. Private to io and the programs.
+ */
+#pragma once
+
+#include "scene_frames.h"
+
+#include <pcl_spiral/planning/impl/path_judging.h>
+#include <pcl_spiral/planning/led_tool.h>
+#include <pcl_spiral/verify/verification.h>
+
+#include <memory>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** First parts, tool and moves in any order, then build. */
+class SceneBuilder {
+public:
+  explicit SceneBuilder(const LedTool& tool);
+
+  /** Adds the part of a scan. \p judged: by the points of \p cloud_size; null: not judged. */
+  void addScan(const Surface& surface, const Heights* judged);
+  /** Adds a mesh. \p judged: by its samples; null: not judged. */
+  void addFaces(const SurfaceMesh& mesh, const Heights* judged);
+  /** Adds a path, after the one before. */
+  void addPath(const ShownPath& path, const std::vector<std::size_t>& lines = {});
+  /** Takes the blocks of \p program for moves. */
+  void setProgram(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path);
+  /** The figures behind the colours; of several regions the widest range counts. \p chord_error: of the path, mm. */
+  void addFigures(const Verification& judged, double chord_error);
+  /** What the numbers of turns are: Turn, or Pass. */
+  void setTurnWord(const char* word) { scene_.turn_word = word; }
+
+  /** Thins it to what a page holds; notes say by how much. */
+  std::shared_ptr<const ReportScene> build();
+
+private:
+  void thin();
+  void findOutward();
+
+  ReportScene scene_;
+};
+
+} // namespace pcl_spiral

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  The moves of a tool as frames of a page. Private to io.
+ */
+#pragma once
+
+#include "report_scene.h"
+
+#include <pcl_spiral/common/point_types.h>
+#include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/machine/machine_program.h>
+#include <pcl_spiral/machine/motion_time.h>
+
+#include <pcl/point_cloud.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** A path as it is shown. Lengths in mm. */
+struct ShownPath {
+  const pcl::PointCloud<ToolpathPoint>& points; ///< contacts
+  Polyline tips;                                ///< one for each point; empty: those of a ball
+  std::vector<std::size_t> begins;              ///< where the second pass and each further one begin
+  double feed = 0.0;                            ///< mm/min
+  std::vector<float> deviation;                 ///< one for each point; empty: not measured
+};
+
+/** The tool of \p cutter along \p path at its feed. Between passes it jumps: only a machine makes these moves. */
+std::vector<SceneFrame> framesOf(const ShownPath& path, const CutterShape& cutter);
+
+/** The tool along the blocks of \p program. Turns and deviations are those of \p path at the same length. Times are those of \p motion, or
+ *  if it is null, or the time is not known, of the feeds, with rapids at the rates of the axes. */
+std::vector<SceneFrame> framesOf(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path,
+                                 const CutterShape& cutter);
+
+/** Leaves out frames until there are at most \p most. Returns how far the tips of those left out are from the moves that are left. */
+double thinFrames(std::size_t most, std::vector<SceneFrame>& frames);
+
+/** When the tool passes each place of \p part, and the deviation of its contact there: that of the nearest contact, if it is not farther
+ *  away than \p reach. */
+void passPlaces(const std::vector<SceneFrame>& frames, double reach, ScenePart& part);
+
+} // namespace pcl_spiral

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene_html.h"
+
+#include "embedded_texts.h"
+#include "scene_json.h"
+
+namespace pcl_spiral {
+namespace {
+
+/** A script of a page that is XML, too. */
+std::string
+scriptElement(const char* text)
+{
+  return std::string("<script>//<![CDATA[\n") + text + "\n//]]></script>\n";
+}
+
+} // namespace
+
+void
+addScene(const ReportScene* scene, HtmlPage& page)
+{
+  if (!scene || scene->frames.empty())
+    return;
+  if (*three_script == '\0') {
+    page.addText("This report has pictures alone: the program was built without three.js (Debian's package libjs-three).");
+    return;
+  }
+  for (const std::string& note : scene->notes)
+    page.addText(note);
+  page.addMarkup(scene_markup);
+  page.addMarkup("<script type=\"application/json\" id=\"scene-data\">" + sceneJson(*scene) + "</script>\n");
+  page.addMarkup("<!-- three.js, MIT licence, copyright 2010-2019 its authors; from the package libjs-three of Debian -->\n");
+  page.addMarkup(scriptElement(three_script));
+  page.addMarkup(scriptElement(scene_script));
+}
+
+} // namespace pcl_spiral

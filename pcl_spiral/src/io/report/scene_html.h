@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  The scene of a page, with the script that shows it. Private to io.
+ */
+#pragma once
+
+#include "html_page.h"
+#include "report_scene.h"
+
+namespace pcl_spiral {
+
+/** Adds \p scene with its notes; null: nothing. Without three.js, a sentence says that there are pictures alone. */
+void addScene(const ReportScene* scene, HtmlPage& page);
+
+} // namespace pcl_spiral
