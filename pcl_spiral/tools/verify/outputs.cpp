@@ -67,7 +67,7 @@ VerifyOutputs::addToScene(const JudgedInput& input, const JudgedPart& part, cons
     return;
   const bool first = !scene_;
   if (first)
-    scene_ = std::make_unique<SceneBuilder>(LedTool{job_.settings.cutter});
+    scene_ = std::make_unique<SceneBuilder>(job_.settings.cutter, std::vector<ToolSegment>());
   if (!input.settings.mesh)
     scene_->addScan(part.reference->scanned(), &judged.heights);
   else if (first)

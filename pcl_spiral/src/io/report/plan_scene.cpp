@@ -23,7 +23,7 @@ std::shared_ptr<const ReportScene>
 reportScene(const SpiralPlan& plan, const std::vector<Heights>& judged, const std::vector<Verification>& figures,
             const std::optional<MachineProgram>& program, const std::optional<MotionStudy>& motion)
 {
-  SceneBuilder scene(plan.tool);
+  SceneBuilder scene(plan.tool.cutter, plan.tool.holder);
   const std::size_t regions = std::max<std::size_t>(1, plan.regions.size());
   ShownPath path{*plan.path, {}, plan.report.pass_begins, plan.settings.feed, {}};
   for (std::size_t k = 0; k < regions; ++k) {
@@ -46,7 +46,7 @@ reportScene(const SpiralPlan& plan, const std::vector<Heights>& judged, const st
 std::shared_ptr<const ReportScene>
 reportScene(const PassPlan& plan, double feed, const std::optional<MachineProgram>& program, const std::optional<MotionStudy>& motion)
 {
-  SceneBuilder scene(plan.tool);
+  SceneBuilder scene(plan.tool.cutter, plan.tool.holder);
   if (plan.mesh)
     scene.addFaces(*plan.mesh, nullptr);
   else if (plan.surface)

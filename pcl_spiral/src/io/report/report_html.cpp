@@ -247,7 +247,7 @@ addVerdicts(HtmlPage& page, const RunFiles& files, const RunReport& run)
 {
   const std::vector<const PathReport*> judged = judgedParts(run);
   for (const PathReport* part : judged)
-    addVerdict(page, judgingOf(files, run.settings), *part->verification, judged.size() > 1);
+    addVerdict(page, judgingOf(files, run.settings), *part->verification, judged.size() > 1 ? part->name : std::string());
   if (judged.empty())
     page.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify checks deviation, scallop and gouge against the scan"});
 }

@@ -132,9 +132,9 @@ const lineShader = {
     }`,
   fragmentShader: `
     uniform vec3 colour;
-    uniform float now, faint;
+    uniform float now, strength;
     varying float at;
-    void main() { gl_FragColor = vec4(colour, at <= now ? 0.85 : faint); }`
+    void main() { gl_FragColor = vec4(colour, at <= now ? strength : 0.35 * strength); }`
 };
 
 function makeLines(places) {
@@ -149,7 +149,7 @@ function makeLines(places) {
     geometry.setAttribute("position", positions);
     geometry.setAttribute("time", times);
     geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(ends), 1));
-    const uniforms = {colour: {value: new THREE.Color(way.colour)}, now: {value: 0}, faint: {value: kind === 0 ? 0.16 : 0.4}};
+    const uniforms = {colour: {value: new THREE.Color(way.colour)}, now: {value: 0}, strength: {value: 0.9}};
     const lines = new THREE.LineSegments(geometry, new THREE.ShaderMaterial(Object.assign({uniforms, transparent: true}, lineShader)));
     lines.frustumCulled = false;
     group.add(lines);
@@ -162,7 +162,7 @@ function makeTool() {
   const group = new THREE.Group();
   for (const solid of data.tool) {
     const shape = new THREE.LatheBufferGeometry(solid.profile.map(p => new THREE.Vector2(p[0], p[1])), 48);
-    const material = new THREE.MeshLambertMaterial({color: solid.colour, transparent: true, opacity: solid.opacity, side: THREE.DoubleSide});
+    const material = new THREE.MeshLambertMaterial({color: solid.colour, transparent: true, opacity: solid.opacity, side: THREE.FrontSide});
     group.add(new THREE.Mesh(shape, material));
   }
   return group;
@@ -226,10 +226,30 @@ let renderer, world, camera, part, lines, tool, lamp, waiting = false;
 function look(towards) {
   view.yaw = Math.atan2(towards.y, towards.x);
   view.pitch = Math.asin(Math.max(-1, Math.min(1, towards.z / towards.length())));
-  const ball = part.geometry.boundingSphere;
-  view.target.copy(ball.center);
-  view.distance = ball.radius / Math.sin(0.5 * camera.fov * Math.PI / 180) * Math.max(1, 1 / camera.aspect) * 1.02;
+  view.target.copy(part.geometry.boundingSphere.center);
+  view.distance = 6 * part.geometry.boundingSphere.radius;
+  showAll();
   draw();
+}
+
+/** Moves the camera so that it sees the whole part, in the middle. */
+function showAll() {
+  const places = part.geometry.attributes.position.array, high = Math.tan(0.5 * camera.fov * Math.PI / 180);
+  for (let round = 0; round < 3; ++round) { // what is near looks larger: the middle depends on the distance
+    placeCamera();
+    const [right, up, back] = [0, 1, 2].map(k => new THREE.Vector3().setFromMatrixColumn(camera.matrix, k)), p = new THREE.Vector3();
+    let low = [1e30, 1e30], most = [-1e30, -1e30], distance = 0;
+    for (let i = 0; i < places.length; i += 3) {
+      const depth = view.distance - p.set(places[i], places[i + 1], places[i + 2]).sub(view.target).dot(back);
+      [p.dot(right), p.dot(up)].forEach((at, k) => {
+        low[k] = Math.min(low[k], at / depth);
+        most[k] = Math.max(most[k], at / depth);
+        distance = Math.max(distance, view.distance - depth + Math.abs(at) / high / (k === 0 ? camera.aspect : 1));
+      });
+    }
+    view.target.addScaledVector(right, 0.5 * (low[0] + most[0]) * view.distance).addScaledVector(up, 0.5 * (low[1] + most[1]) * view.distance);
+    view.distance = 1.12 * distance;
+  }
 }
 
 function lookFrom(name) {
@@ -246,6 +266,7 @@ function placeCamera() {
   camera.near = view.distance / 200;
   camera.far = view.distance + 40 * part.geometry.boundingSphere.radius;
   camera.updateProjectionMatrix();
+  camera.updateMatrix();
   lamp.position.copy(camera.position);
 }
 
@@ -289,6 +310,8 @@ function render() {
   part.material.uniforms.now.value = now;
   for (const one of lines.children)
     one.material.uniforms.now.value = now;
+  const pixels = data.spacing / (2 * view.distance * Math.tan(0.5 * camera.fov * Math.PI / 180)) * canvas.clientHeight;
+  lines.children[0].material.uniforms.strength.value = Math.max(0.12, Math.min(0.9, pixels / 9)); // close lines would hide the part
   renderer.render(world, camera);
   showFigures(pose);
 }
@@ -396,9 +419,9 @@ function makeChoices() {
   options("colour", colours, colours[Math.min(1, colours.length - 1)][0]).onchange = event => setColour(event.target.value);
   options("line", (contact ? [["contact", "contact"]] : []).concat([["tip", "tool tip"], ["none", "none"]]), contact ? "contact" : "tip")
     .onchange = event => setLine(event.target.value);
-  options("raise", data.arrays.cutAt ? [0, 1, 10, 100].map(v => [v, v ? "\u00d7 " + v : "flat"]) : [], 1).onchange =
+  options("raise", data.uncut > 0 ? [0, 1, 10, 100].map(v => [v, v ? "\u00d7 " + v : "flat"]) : [], 1).onchange =
     event => { part.material.uniforms.raise.value = Number(event.target.value); draw(); };
-  part.material.uniforms.raise.value = data.arrays.cutAt ? 1 : 0;
+  part.material.uniforms.raise.value = data.uncut > 0 ? 1 : 0;
   const speeds = [0.1, 1, 3, 10, 30, 100, 300, 1000], wanted = speeds.find(v => lastTime / v < 60) || 1000;
   options("speed", speeds.map(v => [v, "\u00d7 " + v])).onchange = event => setSpeed(event.target.value);
   setSpeed(wanted);

@@ -13,7 +13,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t most_places = 100000, most_frames = 80000; // about 10 MB together
+constexpr std::size_t most_places = 60000, most_frames = 80000; // about 8 MB together
 
 /** The stock at each new place of \p part: that of the nearest sample of the mesh. */
 void
@@ -52,10 +52,10 @@ widen(const SceneScale& by, SceneScale& scale)
 
 } // namespace
 
-SceneBuilder::SceneBuilder(const LedTool& tool)
+SceneBuilder::SceneBuilder(const CutterShape& cutter, const std::vector<ToolSegment>& holder)
 {
-  scene_.cutter = tool.cutter;
-  scene_.holder = tool.holder;
+  scene_.cutter = cutter;
+  scene_.holder = holder;
 }
 
 void
@@ -92,7 +92,7 @@ SceneBuilder::addPath(const ShownPath& path, const std::vector<std::size_t>& lin
 void
 SceneBuilder::setProgram(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path)
 {
-  scene_.frames = framesOf(program, motion, path, scene_.cutter);
+  scene_.frames = framesOf(program, motion, path);
   if (!program.machine.three_axes)
     scene_.rotary_letters = {program.machine.rotary[0].letter, program.machine.rotary[1].letter};
 }

@@ -7,7 +7,6 @@
 #include "scene_frames.h"
 
 #include <pcl_spiral/planning/impl/path_judging.h>
-#include <pcl_spiral/planning/led_tool.h>
 #include <pcl_spiral/verify/verification.h>
 
 #include <memory>
@@ -18,7 +17,7 @@ namespace pcl_spiral {
 /** First parts, tool and moves in any order, then build. */
 class SceneBuilder {
 public:
-  explicit SceneBuilder(const LedTool& tool);
+  SceneBuilder(const CutterShape& cutter, const std::vector<ToolSegment>& holder);
 
   /** Adds the part of a scan. \p judged: by the points of \p cloud_size; null: not judged. */
   void addScan(const Surface& surface, const Heights* judged);

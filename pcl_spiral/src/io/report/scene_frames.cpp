@@ -36,6 +36,37 @@ moveOf(BlockSection section)
   return section == BlockSection::Cut ? SceneMove::Cut : section == BlockSection::Link ? SceneMove::Link : SceneMove::Air;
 }
 
+/** Follows \p path by its length, from pass to pass. */
+class PathReader {
+public:
+  explicit PathReader(const ShownPath& path) : path_(path) {}
+
+  /** Goes on to \p length in pass \p pass. */
+  void goTo(double length, std::size_t pass)
+  {
+    if (pass > 0 && pass <= path_.begins.size())
+      at_ = std::max(at_, path_.begins[pass - 1]);
+    const std::size_t end = pass < path_.begins.size() ? path_.begins[pass] : path_.points.size();
+    while (at_ + 1 < end && path_.points[at_].arc_length < length)
+      ++at_;
+    length_ = length;
+  }
+  std::size_t at() const { return at_; }
+  /** Between the points at both sides. */
+  Eigen::Vector3d contact() const
+  {
+    const ToolpathPoint &to = path_.points[at_], &from = path_.points[at_ > 0 ? at_ - 1 : 0];
+    const double span = to.arc_length - from.arc_length;
+    const double back = span > 0.0 ? std::clamp((to.arc_length - length_) / span, 0.0, 1.0) : 0.0;
+    return (to.getVector3fMap() + static_cast<float>(back) * (from.getVector3fMap() - to.getVector3fMap())).cast<double>();
+  }
+
+private:
+  const ShownPath& path_;
+  std::size_t at_ = 0;
+  double length_ = 0.0;
+};
+
 /** Time of a block without a model of the control, s. */
 double
 plainSeconds(const ProgramBlock& from, const ProgramBlock& block)
@@ -114,27 +145,26 @@ framesOf(const ShownPath& path, const CutterShape& cutter)
 }
 
 std::vector<SceneFrame>
-framesOf(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path, const CutterShape& cutter)
+framesOf(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path)
 {
   std::vector<SceneFrame> frames;
   frames.reserve(program.blocks.size());
   const bool timed = motion && motion->status.ok() && motion->time.blocks.size() == program.blocks.size();
-  std::size_t at = 0; // of the path
+  PathReader reader(path);
   for (std::size_t i = 0; i < program.blocks.size(); ++i) {
     const ProgramBlock& block = program.blocks[i];
     const ProgramBlock& from = program.blocks[i > 0 ? i - 1 : 0];
     SceneFrame frame;
     frame.tip = block.tip;
     frame.axis = block.axis;
-    frame.contact = block.tip - tipFromContact(cutter, block.normal, block.axis);
     frame.length = block.arc_length;
     frame.feed = feedOf(from, block);
     frame.angles = block.angles;
     frame.move = moveOf(block.section);
-    while (at + 1 < path.points.size() && path.points[at].arc_length < block.arc_length)
-      ++at;
-    frame.turn = path.points.empty() ? static_cast<double>(block.pass) : path.points[at].turn;
-    frame.deviation = path.deviation.empty() || frame.move != SceneMove::Cut ? no_value : path.deviation[at];
+    reader.goTo(block.arc_length, block.pass);
+    frame.contact = frame.move == SceneMove::Cut ? reader.contact() : frame.tip;
+    frame.turn = path.points[reader.at()].turn;
+    frame.deviation = path.deviation.empty() || frame.move != SceneMove::Cut ? no_value : path.deviation[reader.at()];
     frame.time = (i > 0 ? frames.back().time : 0.0) + (timed ? motion->time.blocks[i] : i > 0 ? plainSeconds(from, block) : 0.0);
     frames.push_back(frame);
   }

@@ -32,8 +32,7 @@ std::vector<SceneFrame> framesOf(const ShownPath& path, const CutterShape& cutte
 
 /** The tool along the blocks of \p program. Turns and deviations are those of \p path at the same length. Times are those of \p motion, or
  *  if it is null, or the time is not known, of the feeds, with rapids at the rates of the axes. */
-std::vector<SceneFrame> framesOf(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path,
-                                 const CutterShape& cutter);
+std::vector<SceneFrame> framesOf(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path);
 
 /** Leaves out frames until there are at most \p most. Returns how far the tips of those left out are from the moves that are left. */
 double thinFrames(std::size_t most, std::vector<SceneFrame>& frames);

@@ -107,6 +107,16 @@ solid(std::vector<std::array<double, 2>> profile, const char* colour, double opa
   return {{"profile", profile}, {"colour", colour}, {"opacity", opacity}};
 }
 
+/** Mean distance between neighbouring passes of the path, if it covers the part. */
+double
+spacingOf(const ReportScene& scene)
+{
+  double area = 0.0;
+  for (const auto& [a, b, c] : scene.part.triangles)
+    area += 0.5 * (scene.part.places[b] - scene.part.places[a]).cross(scene.part.places[c] - scene.part.places[a]).norm();
+  return scene.frames.empty() ? 0.0 : area / std::max(1e-9, scene.frames.back().length);
+}
+
 /** The half profiles of cutter, shank and holder: pairs of radius and height above the tip. A beam is a thin needle. */
 Json
 toolSolids(const ReportScene& scene, double size)
@@ -122,12 +132,12 @@ toolSolids(const ReportScene& scene, double size)
   }
   const double radius = cutter.radius();
   profile.push_back({radius, cutter.topHeight()});
-  Json solids{solid(profile, "#e2a33a", 0.75)};
+  Json solids{solid(profile, "#e2a33a", 0.9)};
   double at = cutter.topHeight();
   if (scene.holder.empty())
-    solids.push_back(solid({{radius, at}, {radius, cutter.cornerHeight() + shank_radii * radius}}, "#8f98a5", 0.45));
+    solids.push_back(solid({{radius, at}, {radius, cutter.cornerHeight() + shank_radii * radius}}, "#8f98a5", 0.6));
   for (const ToolSegment& segment : scene.holder) {
-    solids.push_back(solid({{segment.lower_radius, at}, {segment.upper_radius, at + segment.length}}, "#6c7a90", 0.45));
+    solids.push_back(solid({{segment.lower_radius, at}, {segment.upper_radius, at + segment.length}}, "#6c7a90", 0.6));
     at += segment.length;
   }
   return solids;
@@ -167,6 +177,7 @@ sceneJson(const ReportScene& scene)
     turns = std::max(turns, frame.turn);
   Json json;
   json["outward"] = {scene.outward.x(), scene.outward.y(), scene.outward.z()};
+  json["spacing"] = spacingOf(scene);
   json["uncut"] = scene.uncut;
   json["scales"] = {{"stock", scaleJson(scene.stock)}, {"deviation", scaleJson(scene.deviation)}};
   json["turnWord"] = scene.turn_word;

@@ -167,7 +167,7 @@ addMesh(HtmlRows& rows, const JudgedMesh& mesh)
 } // namespace
 
 void
-addVerdict(HtmlPage& page, const VerificationRun& run, const Verification& v, bool named)
+addVerdict(HtmlPage& page, const VerificationRun& run, const Verification& v, const std::string& name)
 {
   Row grounds = textsOf(v.broken, run.words);
   for (const std::string& unproven : textsOf(v.unproven, run.words))
@@ -176,7 +176,7 @@ addVerdict(HtmlPage& page, const VerificationRun& run, const Verification& v, bo
                            "gouge {material/gouge}; uncut {material/uncut}; efficiency {material/efficiency}",
                            figuresOf(v, run.limits), on_page));
   const Verdict verdict = verdictOf(run.limits, v);
-  page.addStatement(toneOf(verdict), (named ? nameOf(v) + ": " : std::string()) + verdictText(run, verdict), grounds);
+  page.addStatement(toneOf(verdict), (name.empty() ? name : name + ": ") + verdictText(run, verdict), grounds);
 }
 
 void
@@ -220,7 +220,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
     moved.push_back(movedBy(run.shift, v));
   const bool several = moved.size() > 1;
   for (const Verification& v : moved)
-    addVerdict(html, run, v, several);
+    addVerdict(html, run, v, several ? nameOf(v) : std::string());
   addScene(asked.scene.get(), html);
   for (std::size_t i = 0; i < moved.size() && i < pictures.size(); ++i) {
     if (several)

@@ -9,8 +9,8 @@
 
 namespace pcl_spiral {
 
-/** Limits held or broken, with the region or path if \p named. */
-void addVerdict(HtmlPage& page, const VerificationRun& run, const Verification& verification, bool named);
+/** Limits held or broken, of \p name; empty: it is the only path. */
+void addVerdict(HtmlPage& page, const VerificationRun& run, const Verification& verification, const std::string& name);
 
 /** Figures, and what the scan can show of them; no warnings. */
 void addFigures(HtmlPage& page, const VerificationRun& run, const Verification& verification);
