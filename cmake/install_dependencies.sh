@@ -7,8 +7,9 @@ set -euo pipefail
 
 build=(g++ cmake ninja-build ccache libpcl-dev libvtk9-dev libx11-dev libeigen3-dev libboost-dev
   libboost-program-options-dev nlohmann-json3-dev libyaml-cpp-dev liblz4-dev
+  libjs-three # shows the part in reports; it is put into the library
   file) # by which cpack finds what a .deb depends on
-test=(libgtest-dev pkg-config groff-base linuxcnc-uspace linuxcnc-uspace-dev admesh) # linuxcnc: its interpreter rs274 and its planner run our programs; admesh counts faults of meshes
+test=(libgtest-dev pkg-config groff-base linuxcnc-uspace linuxcnc-uspace-dev admesh chromium) # linuxcnc: its interpreter rs274 and its planner run our programs; admesh counts faults of meshes; chromium opens reports
 display=(xvfb xauth libgl1-mesa-dri) # pictures where there is no screen
 benchmark=(libbenchmark-dev libcgal-dev) # CGAL's slicer of meshes runs beside ours
 fuzz=(clang libclang-rt-dev) # libFuzzer; no test needs it

@@ -4,6 +4,7 @@
 // the tests are skipped.
 #include "cap_scan.h"
 #include "run_program.h"
+#include "support/ridges.h"
 #include "two_domes.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@ namespace report_scene_test {
 
 namespace {
 
+using namespace pcl_spiral;
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
@@ -231,6 +233,21 @@ TEST_F(ReportScene, OfDrivePassesShowsCutterAndHolder)
   const Json seen = expectScene("a.html");
   EXPECT_EQ(colouringsOf(seen), Arguments{"plain"}) << "not judged";
   EXPECT_NE(seen["figures"][1].get<std::string>().find("Pass "), std::string::npos) << seen["figures"][1];
+}
+
+TEST_F(ReportScene, OfARidgeShowsItsRows)
+{
+  const test::ExactRidge die = test::dieRidge();
+  const auto lines = [](const Polyline& points) {
+    std::ostringstream text;
+    for (const Eigen::Vector3d& p : points)
+      text << p.transpose() << '\n';
+    return text.str();
+  };
+  writeText(folder_.path("rail.txt"), lines(die.railPoints(300)));
+  writeText(folder_.path("generator.txt"), lines(die.generatorPoints(0.37, 100)));
+  run(PCL_SPIRAL_RIDGE_PROGRAM, {"rail.txt", "generator.txt", "--spot", "4", "--stand-off", "10", "-o", "a.html", "-o", "a.6d"});
+  EXPECT_EQ(colouringsOf(expectScene("a.html")), Arguments{"plain"});
 }
 
 } // namespace report_scene_test

@@ -31,7 +31,7 @@ files(Job& job)
         ".pcd .ply  the rows of a ball cutter\n"
         ".ngc .nc .mpf .h  program for a machine; see --machine\n"
         ".apt .cls  CLDATA, of a cutter    .yaml  robot frames: metres, z along the tool axis; see --robot-z\n"
-        ".json  report: settings, results for both lines, times\n"
+        ".json  report: settings, results for both lines, times; .html readable, with pictures and a scene to turn\n"
         ".png  picture of the rows on the ridge; also NAME_lines.png: both lines with frames, NAME_normals.png: error of the "
         "published normal, and with a machine NAME_rotary.png: rotary angles",
         [&job](const std::string& value) { job.outputs.push_back(value); }, true},

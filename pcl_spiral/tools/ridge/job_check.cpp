@@ -142,6 +142,6 @@ completeJob(Job& job)
     refuse(job, {"leave-out-strays", "largest", "thin"}, "belongs to a --scan, and none is given; leave it out");
   requireOption(job.thinning >= 0.0, "thin", job.thinning, "must be above 0 mm, or 0 for none");
   checkMotion(job);
-  checkOutputs(job, filesOf(job), {{"the rail", job.rail}, {"the generator", job.generator}, {"the scan", job.scan}});
+  checkOutputs(job, filesOf(job), {{"the rail", job.rail}, {"the generator", job.generator}, {"the scan", job.scan}}, {".html"});
   checkProgram(job.program, job.outputs, job.given);
 }

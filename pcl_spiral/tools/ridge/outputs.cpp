@@ -4,7 +4,9 @@
 #include "job_check.h"
 #include "passes/pass_files.h"
 #include "passes/pass_summary.h"
+#include "report/picture_files.h"
 #include "terminal/file_names.h"
+#include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
 
 #include <pcl_spiral/core/diagnostic.h>
@@ -25,8 +27,8 @@ titleOf(const Job& job)
   return titleWithShift(std::filesystem::path(job.rail.empty() ? job.scan : job.rail).filename().string());
 }
 
-void
-writeRows(const Job& job, const Result& result, const std::string& file)
+PassScene
+rowScene(const Job& job, const Result& result)
 {
   PassScene scene;
   scene.title = titleOf(job);
@@ -35,14 +37,14 @@ writeRows(const Job& job, const Result& result, const std::string& file)
   scene.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(joinedPasses(result.passes).path);
   scene.cutter = job.cutter;
   scene.step_over = result.rows.largest_step;
-  writePasses(file, scene);
+  return scene;
 }
 
 /** Draws as many files as filesOf names. */
 void
 writePictures(const Job& job, const Result& result, const OutputFiles& files, std::size_t& next)
 {
-  writeRows(job, result, files.temporary(next++));
+  writePasses(files.temporary(next++), rowScene(job, result));
   const RidgeScene scene{titleOf(job), result.ridge, result.rail, result.generator, result.cloud};
   writeRidgeLines(files.temporary(next++), scene);
   writeRidgeNormals(files.temporary(next++), scene);
@@ -70,15 +72,30 @@ printRidge(const Job& job, const Result& result)
   std::printf("rows            %zu, %.4g mm apart at most, %zu points\n", result.rows.rows, result.rows.largest_step, result.rows.points);
 }
 
+/** The pictures of a page. */
 void
-writeReport(const Job& job, const Result& result, const std::string& file)
+drawPage(const Job& job, const Result& result, PictureFiles& pictures)
+{
+  pictures.drawPasses(rowScene(job, result));
+  if (result.program)
+    pictures.drawProgram(titleOf(job), *result.program);
+}
+
+void
+writeReport(const Job& job, const Result& result, const std::string& output, const std::string& file)
 {
   RunFiles files{job.scan, job.read.unit, job.read.origin, filesOf(job), {}, job.options};
   files.shift = scanShift();
   files.words = programWords();
-  const RidgeRun run{
+  RidgeRun run{
       {job, job.feed, result.program, result.motion}, job.rail, job.generator, job.ridge, job.rows, job.through, job.half_width, job.ring};
-  writeRidgeReportJSON(file, files, run, result, result);
+  if (extensionOf(output) == ".json")
+    return writeRidgeReportJSON(file, files, run, result, result);
+  PictureFiles pictures;
+  drawPage(job, result, pictures);
+  run.scene = reportScene(result, job.feed, result.program, result.motion);
+  writeRidgeReportHTML(file, {titleOf(job), madeBy("pcl_spiral_ridge"), job.command}, files, run, result, result,
+                       pictures.forReport({PictureKind::Passes, PictureKind::Rotary}));
 }
 
 } // namespace
@@ -89,8 +106,8 @@ writeOutputs(const Job& job, const Result& result, OutputFiles& files)
   writeAll(job, files, [&](const std::string& output, std::size_t& next) {
     if (extensionOf(output) == ".png")
       writePictures(job, result, files, next);
-    else if (extensionOf(output) == ".json")
-      writeReport(job, result, files.temporary(next++));
+    else if (extensionOf(output) == ".json" || extensionOf(output) == ".html")
+      writeReport(job, result, output, files.temporary(next++));
     else
       writePassFile(job, result, titleOf(job), output, files.temporary(next++));
   });

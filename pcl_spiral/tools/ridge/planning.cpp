@@ -97,7 +97,8 @@ plan(const Job& job)
   const Diagnostics reading = std::move(result.warnings);
   static_cast<PassPlan&>(result) = planner.getPlan();
   static_cast<RidgeFigures&>(result) = planner.getPlan();
-  const bool pictures = std::any_of(job.outputs.begin(), job.outputs.end(), [](const std::string& o) { return extensionOf(o) == ".png"; });
+  const bool pictures = std::any_of(job.outputs.begin(), job.outputs.end(),
+                                    [](const std::string& o) { return extensionOf(o) == ".png" || extensionOf(o) == ".html"; });
   if (pictures && !job.hasCutter())
     require(job.part, makeRidgeMesh(*result.ridge, for_pictures * result.ridge->generator().length(), result.mesh));
   result.warnings.insert(result.warnings.begin(), reading.begin(), reading.end());

@@ -72,7 +72,7 @@ VerifyOutputs::addToScene(const JudgedInput& input, const JudgedPart& part, cons
     scene_->addScan(part.reference->scanned(), &judged.heights);
   else if (first)
     scene_->addFaces(*input.settings.mesh, &judged.heights);
-  const ShownPath path{*judged.path, judged.tips, passBegins(*judged.path), feed.empty() ? 0.0 : feed.front(), judged.heights.deviation};
+  const ShownPath path{*judged.path, judged.tips, passBegins(*judged.path), 0.0, feed, judged.heights.deviation};
   scene_->addPath(path, judged.verification.program ? judged.verification.program->lines : std::vector<std::size_t>());
   scene_->addFigures(judged.verification, job_.settings.chord_error);
 }

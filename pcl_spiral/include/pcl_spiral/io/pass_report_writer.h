@@ -68,4 +68,8 @@ void writeRidgeReportJSON(const std::string& file, const RunFiles& files, const 
 /** The same as a text. \throw std::invalid_argument for an empty plan */
 std::string ridgeReportJSON(const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgeFigures& figures);
 
+/** The same as one HTML file that needs no other, with \p pictures. \throw FileError; std::invalid_argument for an empty plan */
+void writeRidgeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const RidgeRun& run, const PassPlan& plan,
+                          const RidgeFigures& figures, const std::vector<ReportPicture>& pictures);
+
 } // namespace pcl_spiral

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "html_page.h"
-#include "io/cutter_text.h"
-#include "motion_report.h"
 #include "moved_places.h"
+#include "pass_html.h"
 #include "scene_html.h"
 #include "verification_html.h"
 
@@ -41,12 +40,8 @@ addPath(HtmlPage& page, const DriveRun& run, const PassPlan& result)
     rows.push_back({"Locations left out because of keep-outs and the scan beside the part", std::to_string(left.count())});
   if (f.collisions > 0)
     rows.push_back({"Collisions of shank or holder", formatted("%zu, up to %.4g mm deep", f.collisions, f.deepest_collision)});
-  if (run.program)
-    rows.push_back({"Machine", formatted("%s, %zu blocks, %.1f min", run.program->machine.name.c_str(), run.program->blocks.size(),
-                                         run.program->report.minutes)});
-  if (run.motion)
-    for (const auto& row : motionRows(*run.motion))
-      rows.push_back(row);
+  for (const auto& row : programRows(run))
+    rows.push_back(row);
   page.addTable(rows, false);
 }
 
@@ -89,30 +84,6 @@ addSettings(HtmlPage& page, const RunFiles& files, const DriveRun& run)
   page.addTable(rows, false);
 }
 
-void
-addTimes(HtmlPage& page, const PassPlan& result)
-{
-  page.addHeading("Time");
-  HtmlRows rows;
-  for (const StageCost& stage : result.stages)
-    rows.push_back({stage.name, formatted("%.2f s", stage.seconds)});
-  page.addTable(rows, false);
-}
-
-/** What the planner knows of the passes. */
-void
-addStatement(HtmlPage& page, const PassPlan& plan)
-{
-  const LocationFigures& f = plan.locations;
-  std::vector<std::string> grounds;
-  if (f.collisions > 0)
-    grounds.push_back(formatted("shank or holder collide at %zu locations, up to %.4g mm deep", f.collisions, f.deepest_collision));
-  if (plan.left_out.count() > 0)
-    grounds.push_back(formatted("%zu locations are left out because of keep-outs and the scan beside the part", plan.left_out.count()));
-  grounds.push_back("pcl_spiral_verify checks deviation, scallop and gouge against the part");
-  page.addStatement(f.collisions > 0 ? Tone::Bad : Tone::Neutral, "Not judged", grounds);
-}
-
 } // namespace
 
 void
@@ -122,13 +93,11 @@ writeDriveReportHTML(const std::string& file, const ReportPage& page, const RunF
   if (!plan.mesh && !plan.cloud)
     throw std::invalid_argument("writeDriveReportHTML: the plan is empty; it is one of a planner that succeeded");
   const Vocabulary words = movedBy(files.shift, files.words);
-  Diagnostics warnings = files.warnings;
-  warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
   HtmlPage html(page.title,
                 Diagnostic("Passes over a ", plan.mesh ? "mesh" : "scanned surface", "; cutter of ", cutterText(run.tool.cutter)).text());
-  addStatement(html, plan);
+  addPassVerdict(html, plan);
   addScene(run.scene.get(), html);
-  addWarnings(html, textsOf(warnings, words));
+  addWarnings(html, passWarnings(files, plan));
   for (const ReportPicture& picture : pictures)
     html.addPicture(picture);
   html.addPart("Path and surface");
@@ -136,7 +105,7 @@ writeDriveReportHTML(const std::string& file, const ReportPage& page, const RunF
   addPart(html, words, plan);
   html.addPart("Run");
   addSettings(html, files, run);
-  addTimes(html, plan);
+  addPassTimes(html, plan);
   if (!page.command.empty()) {
     html.addHeading("Made by");
     html.addCode(page.command);

@@ -17,6 +17,18 @@ addRegionOf(const SpiralPlan& plan, const Heights* judged, SceneBuilder& scene)
     scene.addScan(*plan.surface, judged);
 }
 
+void
+addPartOf(const PassPlan& plan, SceneBuilder& scene)
+{
+  if (plan.mesh)
+    return scene.addFaces(*plan.mesh, nullptr);
+  if (plan.surface)
+    scene.addScan(*plan.surface, nullptr);
+  for (const PlannedRegion& region : plan.regions)
+    if (region.surface && region.surface != plan.surface)
+      scene.addScan(*region.surface, nullptr);
+}
+
 } // namespace
 
 std::shared_ptr<const ReportScene>
@@ -25,7 +37,7 @@ reportScene(const SpiralPlan& plan, const std::vector<Heights>& judged, const st
 {
   SceneBuilder scene(plan.tool.cutter, plan.tool.holder);
   const std::size_t regions = std::max<std::size_t>(1, plan.regions.size());
-  ShownPath path{*plan.path, {}, plan.report.pass_begins, plan.settings.feed, {}};
+  ShownPath path{*plan.path, {}, plan.report.pass_begins, plan.settings.feed, {}, {}};
   for (std::size_t k = 0; k < regions; ++k) {
     const Heights* const own = k < judged.size() ? &judged[k] : nullptr;
     addRegionOf(plan.regions.empty() ? plan : plan.regions[k], own, scene);
@@ -47,16 +59,10 @@ std::shared_ptr<const ReportScene>
 reportScene(const PassPlan& plan, double feed, const std::optional<MachineProgram>& program, const std::optional<MotionStudy>& motion)
 {
   SceneBuilder scene(plan.tool.cutter, plan.tool.holder);
-  if (plan.mesh)
-    scene.addFaces(*plan.mesh, nullptr);
-  else if (plan.surface)
-    scene.addScan(*plan.surface, nullptr);
-  for (const PlannedRegion& region : plan.regions)
-    if (region.surface && region.surface != plan.surface)
-      scene.addScan(*region.surface, nullptr);
+  addPartOf(plan, scene);
   scene.setTurnWord("Pass");
   const PassPath joined = joinedPasses(plan.passes);
-  const ShownPath path{joined.path, joined.tips, joined.begins, feed, {}};
+  const ShownPath path{joined.path, joined.tips, joined.begins, feed, {}, {}};
   if (program)
     scene.setProgram(*program, motion ? &*motion : nullptr, path);
   else

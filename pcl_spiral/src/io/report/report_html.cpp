@@ -207,11 +207,14 @@ addTimes(HtmlPage& page, const SpiralReport& report, const Verification* verific
 
 /** What judges a path of the page. */
 VerificationRun
-judgingOf(const RunFiles& files, const SpiralSettings& settings)
+judgingOf(const RunFiles& files, const RunReport& report)
 {
+  const SpiralSettings& settings = report.settings;
   VerificationRun run{files.scan, files.unit, CutterShape::ball(settings.tool_radius), settings.scallop_height, settings.chord_error,
                       {},         {}};
   run.words = files.words;
+  if (report.mesh)
+    run.mesh.emplace();
   return run;
 }
 
@@ -247,9 +250,10 @@ addVerdicts(HtmlPage& page, const RunFiles& files, const RunReport& run)
 {
   const std::vector<const PathReport*> judged = judgedParts(run);
   for (const PathReport* part : judged)
-    addVerdict(page, judgingOf(files, run.settings), *part->verification, judged.size() > 1 ? part->name : std::string());
+    addVerdict(page, judgingOf(files, run), *part->verification, judged.size() > 1 ? part->name : std::string());
   if (judged.empty())
-    page.addStatement(Tone::Neutral, "Not judged", {"pcl_spiral_verify checks deviation, scallop and gouge against the scan"});
+    page.addStatement(Tone::Neutral, "Not judged",
+                      {formatted("pcl_spiral_verify checks deviation, scallop and gouge against the %s", run.mesh ? "mesh" : "scan")});
 }
 
 void
@@ -270,14 +274,13 @@ addPictures(HtmlPage& page, const RunReport& run)
 }
 
 void
-addRegion(HtmlPage& page, const RunFiles& files, const SpiralSettings& settings, const std::optional<RunMesh>& mesh,
-          const PathReport& region)
+addRegion(HtmlPage& page, const RunFiles& files, const RunReport& run, const PathReport& region)
 {
   page.addPart(region.name);
   if (region.verification)
-    addFigures(page, judgingOf(files, settings), *region.verification);
-  addPath(page, region.report, settings);
-  addSurface(page, files, mesh, region.report);
+    addFigures(page, judgingOf(files, run), *region.verification);
+  addPath(page, region.report, run.settings);
+  addSurface(page, files, run.mesh, region.report);
 }
 
 } // namespace
@@ -290,17 +293,17 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
   const RunReport run = movedBy(files.shift, given);
   const SpiralSettings& settings = run.settings;
   const SpiralReport& report = run.report;
-  HtmlPage html(page.title, formatted("Spiral toolpath over a scanned surface; ball cutter, radius %g mm, scallop %g mm",
-                                      settings.tool_radius, settings.scallop_height));
+  HtmlPage html(page.title, formatted("Spiral toolpath over a %s; ball cutter, radius %g mm, scallop %g mm",
+                                      run.mesh ? "mesh" : "scanned surface", settings.tool_radius, settings.scallop_height));
   addVerdicts(html, files, run);
   addScene(run.scene.get(), html);
   addWarnings(html, textsOf(allWarnings(files, run), files.words));
   addPictures(html, run);
   for (const PathReport& region : run.regions)
-    addRegion(html, files, settings, run.mesh, region);
+    addRegion(html, files, run, region);
   html.addPart(run.regions.empty() ? "Path and surface" : "All regions");
   if (run.verification)
-    addFigures(html, judgingOf(files, settings), *run.verification);
+    addFigures(html, judgingOf(files, run), *run.verification);
   addPath(html, report, settings);
   if (run.motion) {
     html.addHeading("Program");

@@ -36,7 +36,7 @@ struct SceneFrame {
   double feed = 0.0;                                 ///< at the contact, mm/min; 0: a rapid, or not known
   double turn = 0.0;                                 ///< or number of the pass
   RotaryAngles angles;                               ///< of a program, radians
-  std::size_t line = 0;                              ///< of a program; 0: not known
+  std::size_t number = 0;                            ///< of the line or block of a program; 0: not known
   SceneMove move = SceneMove::Cut;                   ///< to this place
   float deviation = 0.0f;                            ///< of the contact from the surface; NaN: not measured
 };
@@ -57,6 +57,7 @@ struct ReportScene {
   SceneScale deviation, stock;                        ///< what the colours show
   double uncut = 0.0;                                 ///< height of the stock before the cut
   std::string turn_word = "Turn";                     ///< what SceneFrame::turn counts
+  std::string number_word = "Line";                   ///< what SceneFrame::number is of
   std::string rotary_letters;                         ///< of a program: two, or none
   std::vector<std::string> notes;                     ///< sentences above the scene: what is thinned, what is not shown
 };

@@ -29,8 +29,8 @@ function unpacked(name) {
   return values;
 }
 
-const [time, tip, contact, axis, length, feed, turn, move, angles, line] =
-  ["time", "tip", "contact", "axis", "length", "feed", "turn", "move", "angles", "line"].map(unpacked);
+const [time, tip, contact, axis, length, feed, turn, move, angles, number] =
+  ["time", "tip", "contact", "axis", "length", "feed", "turn", "move", "angles", "number"].map(unpacked);
 const frames = time.length, lastTime = time[frames - 1];
 
 // ---- Colours
@@ -205,8 +205,8 @@ function showFigures(pose) {
   if (feed)
     rows.push(["Feed", feed[to] > 0 ? feed[to].toFixed(0) + " mm/min" : move[to] === 0 ? "not known" : "rapid"]);
   rows.push([data.turnWord, Math.floor(turn[to]) + (data.turnWord === "Turn" ? 0 : 1) + " of " + data.turns]);
-  if (line && line[to] > 0)
-    rows.push(["Line", line[to]]);
+  if (number && number[to] > 0)
+    rows.push([data.numberWord, number[to]]);
   if (angles)
     [0, 1].forEach(k => rows.push([data.rotary[k], pose.value(angles, k, 2).toFixed(2) + "\u00b0"]));
   const box = find(".figures");

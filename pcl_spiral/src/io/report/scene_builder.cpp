@@ -76,8 +76,10 @@ void
 SceneBuilder::addPath(const ShownPath& path, const std::vector<std::size_t>& lines)
 {
   std::vector<SceneFrame> frames = framesOf(path, scene_.cutter);
+  if (!frames.empty() && !(frames.back().feed > 0.0))
+    scene_.notes = {formatted("No feed is known: the times of the scene are those at %g mm/min.", feed_if_none)};
   for (std::size_t i = 0; i < frames.size() && i < lines.size(); ++i)
-    frames[i].line = lines[i];
+    frames[i].number = lines[i];
   if (!frames.empty() && !scene_.frames.empty()) {
     const SceneFrame last = scene_.frames.back();
     frames.front().move = SceneMove::Air;
@@ -93,6 +95,7 @@ void
 SceneBuilder::setProgram(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path)
 {
   scene_.frames = framesOf(program, motion, path);
+  scene_.number_word = "Block";
   if (!program.machine.three_axes)
     scene_.rotary_letters = {program.machine.rotary[0].letter, program.machine.rotary[1].letter};
 }

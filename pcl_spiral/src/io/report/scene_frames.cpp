@@ -131,14 +131,14 @@ framesOf(const ShownPath& path, const CutterShape& cutter)
     frame.tip = path.tips.empty() ? Eigen::Vector3d(frame.contact + tipFromContact(cutter, normal, frame.axis)) : path.tips[i];
     frame.length = point.arc_length;
     frame.turn = point.turn;
-    frame.feed = path.feed;
+    frame.feed = path.feeds.empty() ? path.feed : path.feeds[i];
     frame.deviation = path.deviation.empty() ? no_value : path.deviation[i];
     if (pass < path.begins.size() && path.begins[pass] == i) {
       ++pass;
       frame.move = SceneMove::Air;
     }
     const double cut = frames.empty() || frame.move == SceneMove::Air ? 0.0 : frame.length - frames.back().length;
-    frame.time = (frames.empty() ? 0.0 : frames.back().time) + (path.feed > 0.0 ? 60.0 * std::max(0.0, cut) / path.feed : cut);
+    frame.time = (frames.empty() ? 0.0 : frames.back().time) + 60.0 * std::max(0.0, cut) / (frame.feed > 0.0 ? frame.feed : feed_if_none);
     frames.push_back(frame);
   }
   return frames;
@@ -160,6 +160,7 @@ framesOf(const MachineProgram& program, const MotionStudy* motion, const ShownPa
     frame.length = block.arc_length;
     frame.feed = feedOf(from, block);
     frame.angles = block.angles;
+    frame.number = i + 1;
     frame.move = moveOf(block.section);
     reader.goTo(block.arc_length, block.pass);
     frame.contact = frame.move == SceneMove::Cut ? reader.contact() : frame.tip;

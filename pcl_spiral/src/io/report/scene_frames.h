@@ -18,12 +18,16 @@
 
 namespace pcl_spiral {
 
+/** That of times where no feed is known, mm/min. */
+constexpr double feed_if_none = 1000.0;
+
 /** A path as it is shown. Lengths in mm. */
 struct ShownPath {
   const pcl::PointCloud<ToolpathPoint>& points; ///< contacts
   Polyline tips;                                ///< one for each point; empty: those of a ball
   std::vector<std::size_t> begins;              ///< where the second pass and each further one begin
-  double feed = 0.0;                            ///< mm/min
+  double feed = 0.0;                            ///< mm/min; 0: not known
+  std::vector<double> feeds;                    ///< of each point, in place of one feed of all; or empty
   std::vector<float> deviation;                 ///< one for each point; empty: not measured
 };
 

@@ -29,7 +29,7 @@ addScene(const ReportScene* scene, HtmlPage& page)
     page.addText(note);
   page.addMarkup(scene_markup);
   page.addMarkup("<script type=\"application/json\" id=\"scene-data\">" + sceneJson(*scene) + "</script>\n");
-  page.addMarkup("<!-- three.js, MIT licence, copyright 2010-2019 its authors; from the package libjs-three of Debian -->\n");
+  page.addMarkup(three_licence);
   page.addMarkup(scriptElement(three_script));
   page.addMarkup(scriptElement(scene_script));
 }

@@ -53,8 +53,8 @@ addFrames(const ReportScene& scene, Json& arrays)
   arrays["move"] = packedNumbers("u8", numbersOfFrames<std::uint8_t>(scene, [](const SceneFrame& f) { return f.move; }));
   if (any([](const SceneFrame& f) { return f.feed > 0.0; }))
     arrays["feed"] = packedValues(ofFrames(scene, 1, [](const SceneFrame& f, std::size_t) { return f.feed; }), 1);
-  if (any([](const SceneFrame& f) { return f.line > 0; }))
-    arrays["line"] = packedNumbers("u32", numbersOfFrames<std::uint32_t>(scene, [](const SceneFrame& f) { return f.line; }));
+  if (any([](const SceneFrame& f) { return f.number > 0; }))
+    arrays["number"] = packedNumbers("u32", numbersOfFrames<std::uint32_t>(scene, [](const SceneFrame& f) { return f.number; }));
   if (scene.rotary_letters.empty())
     return;
   std::vector<float> angles;
@@ -181,6 +181,7 @@ sceneJson(const ReportScene& scene)
   json["uncut"] = scene.uncut;
   json["scales"] = {{"stock", scaleJson(scene.stock)}, {"deviation", scaleJson(scene.deviation)}};
   json["turnWord"] = scene.turn_word;
+  json["numberWord"] = scene.number_word;
   json["turns"] = static_cast<std::size_t>(std::floor(turns)) + (scene.turn_word == "Turn" ? 0 : 1);
   for (const char letter : scene.rotary_letters)
     json["rotary"].push_back(std::string(1, letter));

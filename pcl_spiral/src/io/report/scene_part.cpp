@@ -62,7 +62,7 @@ partArea(const ScenePart& part)
 
 /** The part with the places of each cell merged into the first. */
 ScenePart
-mergedPart(const ScenePart& part, const std::vector<std::uint32_t>& cell, std::size_t cells)
+mergedPart(const ScenePart& part, const std::vector<std::uint32_t>& cell)
 {
   ScenePart merged;
   for (std::size_t i = 0; i < part.places.size(); ++i) {
@@ -81,7 +81,6 @@ mergedPart(const ScenePart& part, const std::vector<std::uint32_t>& cell, std::s
   for (const auto& [a, b, c] : part.triangles)
     if (cell[a] != cell[b] && cell[b] != cell[c] && cell[c] != cell[a])
       merged.triangles.push_back({cell[a], cell[b], cell[c]});
-  (void)cells;
   return merged;
 }
 
@@ -182,12 +181,12 @@ thinPart(std::size_t most, ScenePart& part)
 {
   if (part.places.size() <= most)
     return 0.0;
-  float cell = std::sqrt(partArea(part) / static_cast<float>(most));
+  float cell = std::sqrt(std::max(partArea(part), 1e-12f) / static_cast<float>(most));
   for (std::size_t cells = 0;; cell *= 1.1f) {
     const std::vector<std::uint32_t> of_place = cellNumbers(part, cell, cells);
     if (cells > most)
       continue;
-    part = mergedPart(part, of_place, cells);
+    part = mergedPart(part, of_place);
     return std::sqrt(3.0) * static_cast<double>(cell);
   }
 }
