@@ -122,7 +122,7 @@ protected:
     EXPECT_GT(seen["colours"], 100) << "a blank canvas";
     expectTool(seen);
     const double pixels = seen["pixels"];
-    EXPECT_GT(seen["uncut"][0], 0.03 * pixels) << "the part before the cut";
+    EXPECT_GT(seen["uncut"][0], 0.01 * pixels) << "the part before the cut";
     EXPECT_GT(seen["uncut"][0], 1.2 * seen["uncut"][1].get<double>());
     EXPECT_GT(seen["uncut"][1], 1.2 * seen["uncut"][2].get<double>());
     EXPECT_LT(seen["uncut"][2], 0.05 * seen["uncut"][0].get<double>()) << "not cut at the end";

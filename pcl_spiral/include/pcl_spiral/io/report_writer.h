@@ -70,7 +70,7 @@ struct RunReport : PathReport {
  *  \endcode */
 RunReport reportOf(const SpiralPlan& plan, const std::vector<Verification>& judged = {});
 
-/** \p plan in 3-D, for RunReport::scene: its part, if the plan has its surface (SpiralPlanner::setKeepSurface) or a mesh, and the tool along
+/** \p plan in 3-D, for RunReport::scene: its part, if the plan has its surface (SpiralPlanner::setKeepSurface) or a mesh; the tool along
  *  its path, or along \p program in the times of \p motion. \p judged and \p figures: what PathVerifier found of it, or of each of its
  *  regions; empty: not judged. */
 std::shared_ptr<const ReportScene> reportScene(const SpiralPlan& plan, const std::vector<Heights>& judged = {},

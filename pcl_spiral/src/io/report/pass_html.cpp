@@ -15,7 +15,8 @@ addPassVerdict(HtmlPage& page, const PassPlan& plan)
     grounds.push_back(formatted("shank or holder collide at %zu locations, up to %.4g mm deep", f.collisions, f.deepest_collision));
   if (plan.left_out.count() > 0)
     grounds.push_back(formatted("%zu locations are left out because of keep-outs and the scan beside the part", plan.left_out.count()));
-  grounds.push_back("pcl_spiral_verify checks deviation, scallop and gouge against the part");
+  if (plan.tool.cutter.radius > 0.0) // a beam leaves nothing to measure
+    grounds.push_back("pcl_spiral_verify checks deviation, scallop and gouge against the part");
   page.addStatement(f.collisions > 0 ? Tone::Bad : Tone::Neutral, "Not judged", grounds);
 }
 

@@ -248,7 +248,7 @@ function showAll() {
       });
     }
     view.target.addScaledVector(right, 0.5 * (low[0] + most[0]) * view.distance).addScaledVector(up, 0.5 * (low[1] + most[1]) * view.distance);
-    view.distance = 1.12 * distance;
+    view.distance = 1.25 * distance; // with room for the tool
   }
 }
 
@@ -344,22 +344,15 @@ function play() {
 
 const toggle = () => playing ? stop() : play();
 
-/** One move, or one turn, on or back. */
+/** One move, or one turn, on or back. Moves that take no time are made with the next. */
 function step(sign, byTurn) {
   stop();
   let i = frameAt(now);
-  if (sign < 0 && time[i] < now)
-    sign = 0;
-  if (byTurn) {
-    const from = turn[i];
-    while (i + sign >= 0 && i + sign < frames && Math.abs(turn[i] - from) < 1)
-      i += sign;
-  }
-  else
+  const from = turn[i], inside = at => at + sign >= 0 && at + sign < frames;
+  const near = at => sign > 0 ? time[at] <= now : time[at] >= now;
+  while (inside(i) && (near(i) || (byTurn && Math.abs(turn[i] - from) < 1)))
     i += sign;
-  while (sign > 0 && i + 1 < frames && time[i] <= now)
-    ++i; // moves that take no time
-  goTo(time[Math.max(0, Math.min(frames - 1, i))]);
+  goTo(time[i]);
 }
 
 // ---- Choices
