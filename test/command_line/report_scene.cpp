@@ -136,8 +136,8 @@ protected:
   void expectTool(const Json& seen)
   {
     const Json &early = seen["tool"][0], &late = seen["tool"][1];
-    EXPECT_GT(early["count"], 50) << seen["tool"];
-    EXPECT_GT(late["count"], 50) << seen["tool"];
+    EXPECT_GT(early["count"], 30) << seen["tool"];
+    EXPECT_GT(late["count"], 30) << seen["tool"];
     EXPECT_GT(std::hypot(early["x"].get<double>() - late["x"].get<double>(), early["y"].get<double>() - late["y"].get<double>()), 0.02)
         << seen["tool"];
     const Json& figures = seen["figures"];

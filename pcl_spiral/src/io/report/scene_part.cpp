@@ -129,6 +129,8 @@ void
 addSurface(const Surface& surface, const std::vector<float>& stock, ScenePart& part)
 {
   const auto first = static_cast<std::uint32_t>(part.places.size());
+  if (!stock.empty())
+    part.stock.resize(first, std::numeric_limits<float>::quiet_NaN()); // parts before may have none
   for (std::size_t i = 0; i < surface.size(); ++i) {
     part.places.push_back(surface.position(i).cast<float>());
     part.normals.push_back(surface.normal(i).cast<float>());
