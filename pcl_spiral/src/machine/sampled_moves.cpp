@@ -15,12 +15,12 @@ constexpr double most_turn = 0.1; // radians
 class Sampler {
 public:
   Sampler(const Kinematics& kinematics, const ProgramBlock& from, const ProgramBlock& to, const MoveSampling& sampling)
-  : kinematics_(kinematics), sampling_(sampling), from_{poseOf(from), from.angles, 0.0}, to_{poseOf(to), to.angles, 0.0},
+  : kinematics_(kinematics), sampling_(sampling), from_(from), to_(to),
     turn_(sampling.axis_arcs ? angleBetween(from.axis, to.axis)
                              : std::max(std::abs(to.angles.first - from.angles.first), std::abs(to.angles.second - from.angles.second)))
   {}
 
-  ToolPose at(double t) const { return sampling_.axis_arcs ? between(from_.pose, to_.pose, t) : interpolated(kinematics_, from_, to_, t); }
+  ToolPose at(double t) const { return poseOnMove(kinematics_, from_, to_, t, sampling_.axis_arcs); }
 
   /** Adds the poses after share \p a, up to share \p b. */
   void sample(double a, const ToolPose& at_a, double b, const ToolPose& at_b, int halvings, ToolPoses& poses) const
@@ -57,7 +57,7 @@ private:
 
   const Kinematics& kinematics_;
   const MoveSampling& sampling_;
-  MachineLocation from_, to_;
+  const ProgramBlock &from_, &to_;
   double turn_;
 };
 
@@ -67,6 +67,13 @@ ToolPose
 poseOf(const ProgramBlock& block)
 {
   return {block.tip, block.axis, block.tip, block.normal};
+}
+
+ToolPose
+poseOnMove(const Kinematics& kinematics, const ProgramBlock& from, const ProgramBlock& to, double t, bool axis_arcs)
+{
+  return axis_arcs ? between(poseOf(from), poseOf(to), t)
+                   : interpolated(kinematics, {poseOf(from), from.angles, 0.0}, {poseOf(to), to.angles, 0.0}, t);
 }
 
 ToolPoses

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double least_step = 0.1; // mm between two places looked at
 constexpr int most_halvings = 16;
-constexpr std::size_t chunk = 256; // moves looked at together
-constexpr std::size_t batch = 64;  // chunks between two reports of progress
+constexpr std::size_t moves_together = 256; // moves looked at together
+constexpr std::size_t batch = 64;           // chunks between two reports of progress
 
 class PointObstacles {
 public:
@@ -163,15 +163,15 @@ private:
   double tolerance_, step_, reach_;
 };
 
-/** All moves in ranges of one chunk. */
+/** All moves in ranges of one moves_together. */
 std::vector<MoveRange>
 chunksOf(const CutRuns& cut)
 {
   std::vector<MoveRange> ranges;
   const std::size_t* moves = cut.moves.data();
   for (const ToolPoses& poses : cut.runs) {
-    for (std::size_t begin = 0; begin + 1 < poses.size(); begin += chunk)
-      ranges.push_back({&poses, moves, begin, std::min(begin + chunk, poses.size() - 1)});
+    for (std::size_t begin = 0; begin + 1 < poses.size(); begin += moves_together)
+      ranges.push_back({&poses, moves, begin, std::min(begin + moves_together, poses.size() - 1)});
     moves += poses.size();
   }
   return ranges;

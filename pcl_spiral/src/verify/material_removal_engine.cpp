@@ -17,9 +17,9 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr std::size_t chunk = 1u << 13; // places between progress reports, where a run can be cancelled
-constexpr double fit_share = 5.0;       // of the noise of the fit: depth of a ball that does not count
-constexpr std::size_t block = 32;       // consecutive places: the move found at one is tried first at the next
+constexpr std::size_t places_together = 1u << 13; // places between progress reports, where a run can be cancelled
+constexpr double fit_share = 5.0;                 // of the noise of the fit: depth of a ball that does not count
+constexpr std::size_t block = 32;                 // consecutive places: the move found at one is tried first at the next
 
 /** One measurement, step by step. */
 class Measurement {
@@ -99,8 +99,8 @@ Measurement::overReference()
   feet_.resize(size);
   std::vector<Eigen::Vector3d> queries;
   std::vector<SurfaceFoot> feet;
-  for (std::size_t begin = 0; begin < size; begin += chunk) {
-    const std::size_t end = std::min(size, begin + chunk);
+  for (std::size_t begin = 0; begin < size; begin += places_together) {
+    const std::size_t end = std::min(size, begin + places_together);
     queries.clear();
     for (std::size_t i = begin; i < end; ++i)
       queries.push_back(reference_.graph().position(i));
@@ -149,7 +149,7 @@ Measurement::alongPath()
     stations.clear();
     queries.clear();
     std::size_t end = begin;
-    for (; end < moves && stations.size() < chunk; ++end) {
+    for (; end < moves && stations.size() < places_together; ++end) {
       const Eigen::Vector3d &a = path_.contacts[end], &b = path_.contacts[end + 1];
       const auto pieces = sweep_.isLift(end) ? 1 : static_cast<std::size_t>(std::clamp(std::ceil((b - a).norm() / longest), 1.0, 1e4));
       for (std::size_t k = 0; k < pieces; ++k) {

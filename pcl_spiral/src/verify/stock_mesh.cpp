@@ -29,6 +29,7 @@ stockMesh(const ReferenceSurface& reference, const std::vector<float>& stock)
         continue;
       number[i] = static_cast<std::uint32_t>(mesh.places.size());
       mesh.places.push_back((foot.position + static_cast<double>(stock[source]) * foot.normal).cast<float>());
+      mesh.normals.push_back(foot.normal.cast<float>());
       mesh.stock.push_back(stock[source]);
     }
   }
@@ -48,6 +49,7 @@ append(const StockMesh& more, StockMesh& mesh)
 {
   const auto first = static_cast<std::uint32_t>(mesh.places.size());
   mesh.places.insert(mesh.places.end(), more.places.begin(), more.places.end());
+  mesh.normals.insert(mesh.normals.end(), more.normals.begin(), more.normals.end());
   mesh.stock.insert(mesh.stock.end(), more.stock.begin(), more.stock.end());
   for (const Triangulation::Triangle& t : more.triangles)
     mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});

@@ -16,6 +16,7 @@ namespace pcl_spiral {
 /** Triangles over the tops of the stock. Lengths in mm. */
 struct StockMesh {
   std::vector<Eigen::Vector3f> places;            ///< foot of each point on the fitted surface, raised by its stock
+  std::vector<Eigen::Vector3f> normals;           ///< of that surface at the foot, unit
   std::vector<float> stock;                       ///< of each place; negative: gouge
   std::vector<Triangulation::Triangle> triangles; ///< counter-clockwise seen from outside; empty: the surface has none
 };

@@ -21,6 +21,10 @@ struct MoveSampling {
 /** The pose at the end of \p block. */
 ToolPose poseOf(const ProgramBlock& block);
 
+/** The pose at share \p t of the move from \p from to \p to as the control makes it: with RTCP the tip moves on a straight line, without it
+ *  the linear axes move evenly; the rotary axes turn evenly. \p axis_arcs: see MoveSampling. */
+ToolPose poseOnMove(const Kinematics& kinematics, const ProgramBlock& from, const ProgramBlock& to, double t, bool axis_arcs);
+
 /** Poses on the move from \p from to \p to as the control makes it, without the first and with the last. With RTCP the tip moves on a
  *  straight line, without it the linear axes move evenly; the rotary axes turn evenly, by at most 0.1 radians from pose to pose. The point
  *  at the arm then moves on an arc so flat that its middle and quarters show how far it bows. */

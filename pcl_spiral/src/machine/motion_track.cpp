@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "machine/motion_track.h"
+
+#include <pcl_spiral/machine/impl/sampled_moves.h>
+
+#include <algorithm>
+
+namespace pcl_spiral {
+
+MotionTrack::MotionTrack(MachineProgram program, const MotionTime& time, bool axis_arcs)
+: program_(std::move(program)), axis_arcs_(axis_arcs), kinematics_{Kinematics(program_.machine)}
+{
+  double seconds = 0.0, way = 0.0;
+  for (std::size_t i = 0; i < program_.blocks.size(); ++i) {
+    if (i > 0)
+      way += (program_.blocks[i].tip - program_.blocks[i - 1].tip).norm();
+    seconds += time.blocks[i];
+    ends_.push_back(seconds);
+    ways_.push_back(way);
+  }
+}
+
+double
+MotionTrack::secondsIn(std::size_t block, double share) const
+{
+  const double begin = block > 0 ? ends_[block - 1] : 0.0;
+  return begin + share * (ends_[block] - begin);
+}
+
+double
+MotionTrack::secondsAt(double length) const
+{
+  const auto found = std::lower_bound(ways_.begin(), ways_.end(), length);
+  if (found == ways_.end())
+    return seconds();
+  const auto block = static_cast<std::size_t>(found - ways_.begin());
+  const double begin = block > 0 ? ways_[block - 1] : 0.0, way = ways_[block] - begin;
+  return secondsIn(block, way > 0.0 ? std::clamp((length - begin) / way, 0.0, 1.0) : 1.0);
+}
+
+MotionFrame
+MotionTrack::at(double seconds) const
+{
+  const auto found = std::upper_bound(ends_.begin(), ends_.end(), seconds);
+  MotionFrame frame;
+  frame.block = std::min<std::size_t>(static_cast<std::size_t>(found - ends_.begin()), ends_.size() - 1);
+  frame.seconds = std::clamp(seconds, 0.0, this->seconds());
+  const std::size_t before = frame.block > 0 ? frame.block - 1 : 0;
+  const double took = ends_[frame.block] - ends_[before];
+  frame.share = took > 0.0 ? std::clamp((frame.seconds - ends_[before]) / took, 0.0, 1.0) : 1.0;
+  const ProgramBlock &from = program_.blocks[before], &to = program_.blocks[frame.block];
+  const ToolPose pose = poseOnMove(kinematics_.front(), from, to, frame.share, axis_arcs_);
+  const double way = ways_[frame.block] - ways_[before];
+  frame.tip = pose.tip;
+  frame.axis = pose.axis;
+  frame.angles.first = from.angles.first + frame.share * (to.angles.first - from.angles.first);
+  frame.angles.second = from.angles.second + frame.share * (to.angles.second - from.angles.second);
+  frame.length = ways_[before] + frame.share * way;
+  frame.feed = took > 0.0 ? 60.0 * way / took : 0.0;
+  frame.asked = !to.rapid && to.minutes > 0.0 ? way / to.minutes : 0.0;
+  return frame;
+}
+
+} // namespace pcl_spiral

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A judged path and a judged program in time: the tool is at each point of the path when the times say so.
+#include "planning/playback.h"
+#include <pcl_spiral/io/program_reader.h>
+#include <pcl_spiral/io/program_writer.h>
+#include <pcl_spiral/machine/impl/kinematics.h>
+#include <pcl_spiral/planning/program_planner.h>
+#include <pcl_spiral/verify/impl/reference_surface.h>
+
+#include "support/scratch_folder.h"
+#include "support/spiral_jobs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace playback_test {
+
+using namespace pcl_spiral;
+using namespace pcl_spiral::test;
+
+namespace {
+
+constexpr double R = 3.0;
+
+/** A spiral over a dome, planned once. */
+const Spiral&
+spiral()
+{
+  static Spiral* const made = [] {
+    auto* const one = new Spiral;
+    one->setInputCloud(dome());
+    one->setToolRadius(R);
+    one->setScallopHeight(0.02);
+    one->compute();
+    EXPECT_TRUE(one->getStatus().ok()) << one->getStatus().message();
+    return one;
+  }();
+  return *made;
+}
+
+/** What the judge finds. */
+struct Judged {
+  PathJudge judge;
+  JudgedPath path;
+};
+
+void
+judge(const GivenPath& given, Judged& judged)
+{
+  JudgedInput input;
+  input.cloud = dome();
+  input.settings.cutter = CutterShape::ball(R);
+  input.settings.scallop_height = 0.02;
+  ASSERT_TRUE(judged.judge.prepare(input, 0.0).ok());
+  const Status status = judged.judge.judge(given, 0, judged.path);
+  ASSERT_TRUE(status.ok()) << status.message();
+}
+
+PlaybackInput
+inputOf(const Judged& judged)
+{
+  PlaybackInput input;
+  input.path = judged.path.path;
+  input.tips = judged.path.tips;
+  input.cutter = CutterShape::ball(R);
+  input.machine = xyzacTrunnion();
+  input.control = controlModel(ControlKind::LinuxCNC, input.machine);
+  return input;
+}
+
+/** The centre of the ball is at the contact plus R normal when the times say so, within \p tolerance. */
+void
+expectOnThePath(const PlaybackInput& input, const PlaybackTime& time, double tolerance)
+{
+  ASSERT_EQ(time.reached.size(), input.path->size());
+  EXPECT_TRUE(std::is_sorted(time.reached.begin(), time.reached.end()));
+  EXPECT_LE(time.reached.back(), time.track.seconds());
+  for (std::size_t i = 0; i < input.path->size(); ++i) {
+    const ToolpathPoint& point = (*input.path)[i];
+    const Eigen::Vector3d centre = (point.getVector3fMap() + static_cast<float>(R) * point.getNormalVector3fMap()).cast<double>();
+    const MotionFrame frame = time.track.at(time.reached[i]);
+    ASSERT_LT((frame.tip + R * frame.axis - centre).norm(), tolerance) << "point " << i << " block " << frame.block;
+    ASSERT_EQ(movesAfter(time, time.reached[i]), [&] {
+      std::size_t last = i;
+      while (last + 1 < time.reached.size() && time.reached[last + 1] == time.reached[i])
+        ++last;
+      return last;
+    }());
+  }
+}
+
+} // namespace
+
+TEST(Playback, APathIsPlayedAsTheProgramThatIsMadeOfIt)
+{
+  GivenPath given;
+  given.path = spiral().getPlan().path;
+  Judged judged;
+  judge(given, judged);
+  const PlaybackInput input = inputOf(judged);
+  PlaybackTime time;
+  const Status status = playbackTime(input, time);
+  ASSERT_TRUE(status.ok()) << status.message();
+  expectOnThePath(input, time, 0.004);
+  EXPECT_TRUE(time.lines.empty());
+}
+
+TEST(Playback, AProgramIsPlayedLineByLineAndLeavesTheStockOfTheJudge)
+{
+  ProgramPlanner planner;
+  planner.setInputPlan(spiral().getPlan());
+  planner.setMachine(xyzacTrunnion());
+  MachineProgram program;
+  planner.compute(program);
+  ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+  const ScratchFolder folder;
+  const std::string file = folder.path("part.ngc");
+  writeProgram(file, program, Dialect::LinuxCNC, ProgramHeader());
+  GivenPath given;
+  given.program = readProgram(file, xyzacTrunnion());
+  Judged judged;
+  judge(given, judged);
+  PlaybackInput input = inputOf(judged);
+  input.program = given.program;
+  input.lines = judged.path.verification.program->lines;
+  PlaybackTime time;
+  const Status status = playbackTime(input, time);
+  ASSERT_TRUE(status.ok()) << status.message();
+  expectOnThePath(input, time, 0.004);
+  EXPECT_NEAR(time.track.seconds(), motionTime(given.program->program, input.control)->seconds, 1e-9);
+  for (std::size_t i = 0; i < input.path->size(); i += 50)
+    EXPECT_EQ(time.lines[time.track.at(time.reached[i] - 1e-7).block], input.lines[i]);
+  const ReferenceSurface& reference = *judged.judge.parts().front().reference;
+  const StockMesh mesh = stockMesh(reference, judged.path.heights.stock);
+  StockFalls falls;
+  ASSERT_TRUE(playbackStock(input, mesh, judged.path.verification.removal, falls).ok());
+  const std::size_t all = movesAfter(time, time.track.seconds());
+  EXPECT_EQ(all + 1, input.path->size());
+  for (std::size_t place = 0; place < falls.places(); ++place) {
+    ASSERT_NEAR(falls.heightAfter(place, all), mesh.stock[place], 1e-3) << place;
+    ASSERT_EQ(falls.heightAfter(place, 0), falls.reach);
+  }
+}
+
+} // namespace playback_test
