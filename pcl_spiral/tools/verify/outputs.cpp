@@ -33,7 +33,8 @@ VerifyOutputs::VerifyOutputs(const VerifyJob& job) : job_(job), files_(filesOf(j
 }
 
 void
-VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const JudgedPath& judged, const std::vector<double>& feed)
+VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const JudgedPath& judged, const std::vector<double>& feed,
+                    const std::optional<ProgramFile>& program)
 {
   const ReferenceSurface& surface = *part.reference;
   if (const ReferenceMesh* mesh = surface.mesh()) {
@@ -42,7 +43,7 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
   }
   const bool report = writes(job_, ".html");
   if (report)
-    addToScene(input, part, judged, feed);
+    addToScene(input, part, judged, feed, program);
   if (report || writes(job_, ".png")) {
     const VerificationScene scene = judgedScene(part.cloud, judged.path, input.settings, surface, judged.verification, judged.heights);
     if (report)
@@ -61,7 +62,8 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
 }
 
 void
-VerifyOutputs::addToScene(const JudgedInput& input, const JudgedPart& part, const JudgedPath& judged, const std::vector<double>& feed)
+VerifyOutputs::addToScene(const JudgedInput& input, const JudgedPart& part, const JudgedPath& judged, const std::vector<double>& feed,
+                          const std::optional<ProgramFile>& program)
 {
   if (judged.verification.path != job_.paths.front())
     return;
@@ -72,8 +74,11 @@ VerifyOutputs::addToScene(const JudgedInput& input, const JudgedPart& part, cons
     scene_->addScan(part.reference->scanned(), &judged.heights);
   else if (first)
     scene_->addFaces(*input.settings.mesh, &judged.heights);
-  const ShownPath path{*judged.path, judged.tips, passBegins(*judged.path), 0.0, feed, judged.heights.deviation};
-  scene_->addPath(path, judged.verification.program ? judged.verification.program->lines : std::vector<std::size_t>());
+  const ShownPath path{judged.path, judged.tips, passBegins(*judged.path), 0.0, feed, judged.heights.deviation};
+  if (const auto& found = judged.verification.program; found && program && part.region.empty())
+    scene_->addProgram(*program, *found, path);
+  else
+    scene_->addPath(path, found ? found->lines : std::vector<std::size_t>());
   scene_->addFigures(judged.verification, job_.settings.chord_error);
 }
 

@@ -4,6 +4,8 @@
 #include "io/report/scene_frames.h"
 #include "io/report/scene_json.h"
 #include "io/report/scene_part.h"
+#include <pcl_spiral/machine/machine_program_generator.h>
+#include <pcl_spiral/planning/pass_plan.h>
 
 #include <gtest/gtest.h>
 #include <pcl/PolygonMesh.h>
@@ -225,6 +227,42 @@ TEST(SceneData, APlaceIsCutWhenTheNearestContactIsReached)
     passed += nearest < 5.0;
   }
   EXPECT_GT(passed, 20);
+}
+
+TEST(SceneData, AProgramIsAtEachPointOfItsPathWhenItIsReached)
+{
+  constexpr double radius = 3.0, spacing = 0.5;
+  std::vector<ToolPoses> passes(3);
+  for (std::size_t pass = 0; pass < passes.size(); ++pass)
+    for (int i = 0; i < 80; ++i) {
+      ToolPose pose;
+      pose.contact = Vector3d(spacing * i, 4.0 * static_cast<double>(pass), 0.02 * i);
+      pose.axis = Vector3d(0.003 * i, 0.1, 1.0).normalized();
+      pose.tip = pose.contact + radius * pose.normal - radius * pose.axis;
+      passes[pass].push_back(pose);
+    }
+  MachineProgramGenerator generator;
+  generator.setMachine(xyzacTrunnion());
+  generator.setQuiet(true);
+  generator.setInputPasses(passes);
+  MachineProgram program;
+  generator.compute(program);
+  ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  const PassPath joined = joinedPasses(passes);
+  const ShownPath path{pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(joined.path), joined.tips, joined.begins, 1000.0, {}, {}};
+  const ShownProgram shown = shownProgram(program, nullptr, path);
+  const std::vector<SceneFrame> frames = framesOf(shown, path);
+  ASSERT_EQ(shown.reached.size(), joined.tips.size());
+  ASSERT_EQ(frames.size(), program.blocks.size());
+  for (std::size_t i = 0; i < joined.tips.size(); ++i) {
+    const auto frame = std::lower_bound(frames.begin(), frames.end(), shown.reached[i] - 1e-9,
+                                        [](const SceneFrame& f, double time) { return f.time < time; });
+    ASSERT_NE(frame, frames.end());
+    EXPECT_LT((frame->tip - joined.tips[i]).norm(), 1.5 * spacing) << i;
+  }
+  for (const SceneFrame& frame : frames)
+    if (frame.move == SceneMove::Cut)
+      EXPECT_LT((frame.contact + radius * Vector3d::UnitZ() - radius * frame.axis - frame.tip).norm(), 1.5 * spacing) << frame.number;
 }
 
 TEST(SceneData, StandsInAPage)

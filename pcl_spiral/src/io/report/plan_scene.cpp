@@ -37,7 +37,7 @@ reportScene(const SpiralPlan& plan, const std::vector<Heights>& judged, const st
 {
   SceneBuilder scene(plan.tool.cutter, plan.tool.holder);
   const std::size_t regions = std::max<std::size_t>(1, plan.regions.size());
-  ShownPath path{*plan.path, {}, plan.report.pass_begins, plan.settings.feed, {}, {}};
+  ShownPath path{plan.path, {}, plan.report.pass_begins, plan.settings.feed, {}, {}};
   for (std::size_t k = 0; k < regions; ++k) {
     const Heights* const own = k < judged.size() ? &judged[k] : nullptr;
     addRegionOf(plan.regions.empty() ? plan : plan.regions[k], own, scene);
@@ -49,7 +49,7 @@ reportScene(const SpiralPlan& plan, const std::vector<Heights>& judged, const st
   for (const Verification& found : figures)
     scene.addFigures(found, plan.settings.chord_error);
   if (program)
-    scene.setProgram(*program, motion ? &*motion : nullptr, path);
+    scene.setProgram(shownProgram(*program, motion ? &*motion : nullptr, path), path);
   else
     scene.addPath(path);
   return scene.build();
@@ -61,10 +61,10 @@ reportScene(const PassPlan& plan, double feed, const std::optional<MachineProgra
   SceneBuilder scene(plan.tool.cutter, plan.tool.holder);
   addPartOf(plan, scene);
   scene.setTurnWord("Pass");
-  const PassPath joined = joinedPasses(plan.passes);
-  const ShownPath path{joined.path, joined.tips, joined.begins, feed, {}, {}};
+  PassPath joined = joinedPasses(plan.passes);
+  const ShownPath path{pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(joined.path)), joined.tips, joined.begins, feed, {}, {}};
   if (program)
-    scene.setProgram(*program, motion ? &*motion : nullptr, path);
+    scene.setProgram(shownProgram(*program, motion ? &*motion : nullptr, path), path);
   else
     scene.addPath(path);
   return scene.build();

@@ -52,19 +52,20 @@ function rampTexture(stops) {
   return texture;
 }
 
-// ---- The part: each place keeps the time when the tool passes it, and its stock afterwards.
+// ---- The part: each place keeps when its stock falls first, and to what; and when to what is left.
 const partShader = {
   vertexShader: `
-    attribute float stock, deviation, cutAt;
+    attribute float stock, deviation, cutAt, firstAt, firstStock;
     uniform float now, raise, uncutHeight;
     uniform int colouring; // 0 plain, 1 stock, 2 deviation
     varying vec3 shadeNormal, eye;
     varying float value, waiting;
     void main() {
-      waiting = now < cutAt ? 1.0 : 0.0;
-      float left = waiting > 0.5 ? uncutHeight : max(stock, -uncutHeight);
+      waiting = now < firstAt ? 1.0 : 0.0;
+      float height = now < cutAt ? firstStock : stock;
+      float left = waiting > 0.5 ? uncutHeight : height;
       vec4 place = modelViewMatrix * vec4(position + raise * (left > -1e20 ? left : 0.0) * normal, 1.0);
-      value = colouring == 2 ? deviation : stock;
+      value = colouring == 2 ? deviation : height;
       shadeNormal = normalMatrix * normal;
       eye = -place.xyz;
       gl_Position = projectionMatrix * place;
@@ -103,8 +104,9 @@ function makePart() {
   const geometry = new THREE.BufferGeometry();
   attribute(geometry, "position", places, 3, count);
   attribute(geometry, "normal", unpacked("normals"), 3, count);
-  for (const name of ["stock", "deviation", "cutAt"])
+  for (const name of ["stock", "deviation", "cutAt", "firstStock"])
     attribute(geometry, name, unpacked(name), 1, count);
+  geometry.setAttribute("firstAt", data.arrays.firstAt ? new THREE.BufferAttribute(unpacked("firstAt"), 1) : geometry.getAttribute("cutAt"));
   const colours = {plain, uncut, below, above, unknown}, uniforms = {
     now: {value: 0}, raise: {value: 0}, uncutHeight: {value: data.uncut}, colouring: {value: 0},
     range: {value: new THREE.Vector2(0, 1)}, colours: {value: null}

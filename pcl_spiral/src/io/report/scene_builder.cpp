@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_builder.h"
+#include "scene_stock.h"
 
 #include "common/formatted_text.h"
+#include "planning/playback.h"
 #include <pcl_spiral/core/impl/tolerances.h>
-
-#include <pcl/kdtree/kdtree_flann.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,34 +14,6 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t most_places = 60000, most_frames = 80000; // about 8 MB together
-
-/** The stock at each new place of \p part: that of the nearest sample of the mesh. */
-void
-takeStock(const Heights& judged, ScenePart& part)
-{
-  const auto samples = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
-  std::vector<float> stock;
-  for (std::size_t i = 0; i < judged.stock.size(); ++i)
-    if (!std::isnan(judged.stock[i])) {
-      samples->push_back((*judged.points)[i]);
-      stock.push_back(judged.stock[i]);
-    }
-  constexpr float no_stock = std::numeric_limits<float>::quiet_NaN();
-  part.stock.resize(part.places.size(), no_stock);
-  if (samples->empty())
-    return;
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree(false);
-  tree.setInputCloud(samples);
-  pcl::Indices found(2);
-  std::vector<float> squared(2);
-  tree.nearestKSearch(samples->front(), 2, found, squared);
-  const float reach = 4.0f * std::sqrt(squared.back());
-  for (std::size_t i = 0; i < part.places.size(); ++i) {
-    const Eigen::Vector3f& p = part.places[i];
-    tree.nearestKSearch(pcl::PointXYZ(p.x(), p.y(), p.z()), 1, found, squared);
-    part.stock[i] = squared[0] <= reach * reach ? stock[static_cast<std::size_t>(found[0])] : no_stock;
-  }
-}
 
 void
 widen(const SceneScale& by, SceneScale& scale)
@@ -80,24 +52,53 @@ SceneBuilder::addPath(const ShownPath& path, const std::vector<std::size_t>& lin
     scene_.notes = {formatted("No feed is known: the times of the scene are those at %g mm/min.", feed_if_none)};
   for (std::size_t i = 0; i < frames.size() && i < lines.size(); ++i)
     frames[i].number = lines[i];
-  if (!frames.empty() && !scene_.frames.empty()) {
-    const SceneFrame last = scene_.frames.back();
-    frames.front().move = SceneMove::Air;
-    for (SceneFrame& frame : frames) {
-      frame.time += last.time;
-      frame.length += last.length;
-    }
+  const SceneFrame last = scene_.frames.empty() ? SceneFrame() : scene_.frames.back();
+  for (SceneFrame& frame : frames) {
+    frame.time += last.time;
+    frame.length += last.length;
+    reached_.push_back(frame.time);
   }
+  for (ToolpathPoint point : *path.points) {
+    point.arc_length += last.length;
+    path_->push_back(point);
+  }
+  tips_.insert(tips_.end(), path.tips.begin(), path.tips.end());
+  if (!frames.empty() && !scene_.frames.empty())
+    frames.front().move = SceneMove::Air;
   scene_.frames.insert(scene_.frames.end(), frames.begin(), frames.end());
 }
 
 void
-SceneBuilder::setProgram(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path)
+SceneBuilder::setProgram(const ShownProgram& program, const ShownPath& path)
 {
-  scene_.frames = framesOf(program, motion, path);
-  scene_.number_word = "Block";
-  if (!program.machine.three_axes)
-    scene_.rotary_letters = {program.machine.rotary[0].letter, program.machine.rotary[1].letter};
+  scene_.frames = framesOf(program, path);
+  *path_ = *path.points;
+  tips_ = path.tips;
+  reached_ = program.reached;
+  const Machine& machine = program.program.machine;
+  scene_.number_word = program.numbers.empty() ? "Block" : "Line";
+  if (!machine.three_axes)
+    scene_.rotary_letters = {machine.rotary[0].letter, machine.rotary[1].letter};
+}
+
+void
+SceneBuilder::addProgram(const ProgramFile& program, const ProgramFigures& judged, const ShownPath& path)
+{
+  PlaybackInput input;
+  input.path = path.points;
+  input.tips = path.tips;
+  input.cutter = scene_.cutter;
+  input.lines = judged.lines;
+  input.program = program;
+  if (judged.motion)
+    input.control = judged.motion->control;
+  PlaybackTime time;
+  if (!judged.motion || !judged.motion->status.ok() || !playbackTime(input, time).ok())
+    return addPath(path, judged.lines);
+  ShownProgram shown{time.track.program(), {}, time.reached, time.lines};
+  for (std::size_t b = 0; b < time.track.blocks(); ++b)
+    shown.ends.push_back(time.track.endOf(b));
+  setProgram(shown, path);
 }
 
 void
@@ -107,7 +108,9 @@ SceneBuilder::addFigures(const Verification& judged, double chord_error)
   const double shown = std::max(2.0 * judged.deviation.p99, known);
   widen({-shown, shown}, scene_.deviation);
   widen({-std::max(chord_error, known), judged.removal.limit}, scene_.stock);
-  scene_.uncut = std::max(scene_.uncut, judged.removal.reach);
+  judged_.limit = std::max(judged_.limit, judged.removal.limit);
+  judged_.reach = std::max(judged_.reach, judged.removal.reach);
+  scene_.uncut = judged_.reach;
 }
 
 void
@@ -129,6 +132,8 @@ SceneBuilder::thin()
                                      "the worst stock of them.",
                                      scene_.part.places.size(), places, apart));
   passPlaces(scene_.frames, scene_.cutter.radius > 0.0 ? scene_.cutter.radius : std::numeric_limits<double>::infinity(), scene_.part);
+  if (reached_.size() == path_->size())
+    findFalls(path_, tips_, scene_.cutter, judged_, reached_, scene_.part);
   if (const double off = thinFrames(most_frames, scene_.frames); off > 0.0)
     scene_.notes.push_back(formatted("The scene shows %zu of the %zu moves: the tips of the others are at most %.2g mm off them.",
                                      scene_.frames.size(), frames, off));

@@ -6,6 +6,7 @@
 
 #include "scene_frames.h"
 
+#include <pcl_spiral/machine/program_file.h>
 #include <pcl_spiral/planning/impl/path_judging.h>
 #include <pcl_spiral/verify/verification.h>
 
@@ -25,8 +26,10 @@ public:
   void addFaces(const SurfaceMesh& mesh, const Heights* judged);
   /** Adds a path, after the one before. */
   void addPath(const ShownPath& path, const std::vector<std::size_t>& lines = {});
-  /** Takes the blocks of \p program for moves. */
-  void setProgram(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path);
+  /** Takes the blocks of \p program for moves along \p path. */
+  void setProgram(const ShownProgram& program, const ShownPath& path);
+  /** The same of a program that was judged along \p path. If its times are not known, it is shown as the path. */
+  void addProgram(const ProgramFile& program, const ProgramFigures& judged, const ShownPath& path);
   /** The figures behind the colours; of several regions the widest range counts. \p chord_error: of the path, mm. */
   void addFigures(const Verification& judged, double chord_error);
   /** What the numbers of turns are: Turn, or Pass. */
@@ -40,6 +43,10 @@ private:
   void findOutward();
 
   ReportScene scene_;
+  pcl::PointCloud<ToolpathPoint>::Ptr path_ = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(); ///< all paths as one
+  Polyline tips_;                                                                                 ///< one for each of its points; or empty
+  std::vector<double> reached_; ///< when the tool is at each of its points
+  RemovalFigures judged_;       ///< limit and reach, the largest of all regions
 };
 
 } // namespace pcl_spiral

@@ -36,37 +36,6 @@ moveOf(BlockSection section)
   return section == BlockSection::Cut ? SceneMove::Cut : section == BlockSection::Link ? SceneMove::Link : SceneMove::Air;
 }
 
-/** Follows \p path by its length, from pass to pass. */
-class PathReader {
-public:
-  explicit PathReader(const ShownPath& path) : path_(path) {}
-
-  /** Goes on to \p length in pass \p pass. */
-  void goTo(double length, std::size_t pass)
-  {
-    if (pass > 0 && pass <= path_.begins.size())
-      at_ = std::max(at_, path_.begins[pass - 1]);
-    const std::size_t end = pass < path_.begins.size() ? path_.begins[pass] : path_.points.size();
-    while (at_ + 1 < end && path_.points[at_].arc_length < length)
-      ++at_;
-    length_ = length;
-  }
-  std::size_t at() const { return at_; }
-  /** Between the points at both sides. */
-  Eigen::Vector3d contact() const
-  {
-    const ToolpathPoint &to = path_.points[at_], &from = path_.points[at_ > 0 ? at_ - 1 : 0];
-    const double span = to.arc_length - from.arc_length;
-    const double back = span > 0.0 ? std::clamp((to.arc_length - length_) / span, 0.0, 1.0) : 0.0;
-    return (to.getVector3fMap() + static_cast<float>(back) * (from.getVector3fMap() - to.getVector3fMap())).cast<double>();
-  }
-
-private:
-  const ShownPath& path_;
-  std::size_t at_ = 0;
-  double length_ = 0.0;
-};
-
 /** Time of a block without a model of the control, s. */
 double
 plainSeconds(const ProgramBlock& from, const ProgramBlock& block)
@@ -120,10 +89,10 @@ std::vector<SceneFrame>
 framesOf(const ShownPath& path, const CutterShape& cutter)
 {
   std::vector<SceneFrame> frames;
-  frames.reserve(path.points.size());
+  frames.reserve(path.points->size());
   std::size_t pass = 0;
-  for (std::size_t i = 0; i < path.points.size(); ++i) {
-    const ToolpathPoint& point = path.points[i];
+  for (std::size_t i = 0; i < path.points->size(); ++i) {
+    const ToolpathPoint& point = (*path.points)[i];
     SceneFrame frame;
     frame.contact = point.getVector3fMap().cast<double>();
     frame.axis = axisOf(point);
@@ -144,29 +113,54 @@ framesOf(const ShownPath& path, const CutterShape& cutter)
   return frames;
 }
 
-std::vector<SceneFrame>
-framesOf(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path)
+ShownProgram
+shownProgram(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path)
 {
+  const std::vector<ProgramBlock>& blocks = program.blocks;
+  const bool timed = motion && motion->status.ok() && motion->time.blocks.size() == blocks.size();
+  ShownProgram shown{program, {}, {}, {}};
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    shown.ends.push_back((b > 0 ? shown.ends.back() : 0.0) + (timed   ? motion->time.blocks[b]
+                                                              : b > 0 ? plainSeconds(blocks[b - 1], blocks[b])
+                                                                      : 0.0));
+  std::size_t b = 0, pass = 0;
+  for (std::size_t i = 0; i < path.points->size() && !blocks.empty(); ++i) {
+    const bool begins = pass < path.begins.size() && path.begins[pass] == i;
+    pass += begins;
+    const double length = (*path.points)[i].arc_length * (1.0 - 1e-9);
+    const auto isHere = [&](const ProgramBlock& block) {
+      return block.section == BlockSection::Cut && block.pass == pass && (begins || i == 0 || block.arc_length >= length);
+    };
+    while (b + 1 < blocks.size() && !isHere(blocks[b]) && blocks[b + 1].pass <= pass)
+      ++b;
+    shown.reached.push_back(shown.ends[(begins || i == 0) && b > 0 ? b - 1 : b]);
+  }
+  return shown;
+}
+
+std::vector<SceneFrame>
+framesOf(const ShownProgram& shown, const ShownPath& path)
+{
+  const std::vector<ProgramBlock>& blocks = shown.program.blocks;
   std::vector<SceneFrame> frames;
-  frames.reserve(program.blocks.size());
-  const bool timed = motion && motion->status.ok() && motion->time.blocks.size() == program.blocks.size();
-  PathReader reader(path);
-  for (std::size_t i = 0; i < program.blocks.size(); ++i) {
-    const ProgramBlock& block = program.blocks[i];
-    const ProgramBlock& from = program.blocks[i > 0 ? i - 1 : 0];
+  frames.reserve(blocks.size());
+  std::size_t at = 0; // of the path
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    while (at + 1 < shown.reached.size() && shown.reached[at + 1] <= shown.ends[b])
+      ++at;
+    const ToolpathPoint& point = (*path.points)[at];
     SceneFrame frame;
-    frame.tip = block.tip;
-    frame.axis = block.axis;
-    frame.length = block.arc_length;
-    frame.feed = feedOf(from, block);
-    frame.angles = block.angles;
-    frame.number = i + 1;
-    frame.move = moveOf(block.section);
-    reader.goTo(block.arc_length, block.pass);
-    frame.contact = frame.move == SceneMove::Cut ? reader.contact() : frame.tip;
-    frame.turn = path.points[reader.at()].turn;
-    frame.deviation = path.deviation.empty() || frame.move != SceneMove::Cut ? no_value : path.deviation[reader.at()];
-    frame.time = (i > 0 ? frames.back().time : 0.0) + (timed ? motion->time.blocks[i] : i > 0 ? plainSeconds(from, block) : 0.0);
+    frame.time = shown.ends[b];
+    frame.tip = blocks[b].tip;
+    frame.axis = blocks[b].axis;
+    frame.angles = blocks[b].angles;
+    frame.move = moveOf(blocks[b].section);
+    frame.contact = frame.move == SceneMove::Cut ? Eigen::Vector3d(point.getVector3fMap().cast<double>()) : frame.tip;
+    frame.length = point.arc_length;
+    frame.turn = point.turn;
+    frame.feed = feedOf(blocks[b > 0 ? b - 1 : 0], blocks[b]);
+    frame.number = shown.numbers.empty() ? b + 1 : shown.numbers[b];
+    frame.deviation = path.deviation.empty() || frame.move != SceneMove::Cut ? no_value : path.deviation[at];
     frames.push_back(frame);
   }
   return frames;

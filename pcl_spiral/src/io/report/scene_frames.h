@@ -23,20 +23,30 @@ constexpr double feed_if_none = 1000.0;
 
 /** A path as it is shown. Lengths in mm. */
 struct ShownPath {
-  const pcl::PointCloud<ToolpathPoint>& points; ///< contacts
-  Polyline tips;                                ///< one for each point; empty: those of a ball
-  std::vector<std::size_t> begins;              ///< where the second pass and each further one begin
-  double feed = 0.0;                            ///< mm/min; 0: not known
-  std::vector<double> feeds;                    ///< of each point, in place of one feed of all; or empty
-  std::vector<float> deviation;                 ///< one for each point; empty: not measured
+  pcl::PointCloud<ToolpathPoint>::ConstPtr points; ///< contacts
+  Polyline tips;                                   ///< one for each point; empty: those of a ball
+  std::vector<std::size_t> begins;                 ///< where the second pass and each further one begin
+  double feed = 0.0;                               ///< mm/min; 0: not known
+  std::vector<double> feeds;                       ///< of each point, in place of one feed of all; or empty
+  std::vector<float> deviation;                    ///< one for each point; empty: not measured
 };
 
-/** The tool of \p cutter along \p path at its feed. Between passes it jumps: only a machine makes these moves. */
+/** A program as it is shown. Times in s since the start. */
+struct ShownProgram {
+  const MachineProgram& program;
+  std::vector<double> ends;         ///< of each block
+  std::vector<double> reached;      ///< when the tool is at each point of the path, ascending
+  std::vector<std::size_t> numbers; ///< of the line of each block; empty: blocks are counted
+};
+
+/** \p program, which was made of \p path. Times are those of \p motion, or if it is null, or the time is not known, of the feeds. */
+ShownProgram shownProgram(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path);
+
+/** The tool of \p cutter along \p path at its feed: a frame for each point. Between passes it jumps: only a machine makes these moves. */
 std::vector<SceneFrame> framesOf(const ShownPath& path, const CutterShape& cutter);
 
-/** The tool along the blocks of \p program. Turns and deviations are those of \p path at the same length. Times are those of \p motion, or
- *  if it is null, or the time is not known, of the feeds, with rapids at the rates of the axes. */
-std::vector<SceneFrame> framesOf(const MachineProgram& program, const MotionStudy* motion, const ShownPath& path);
+/** The tool at the end of each block of \p program. Contacts, turns and deviations are those of the point of \p path reached last. */
+std::vector<SceneFrame> framesOf(const ShownProgram& program, const ShownPath& path);
 
 /** Leaves out frames until there are at most \p most. Returns how far the tips of those left out are from the moves that are left. */
 double thinFrames(std::size_t most, std::vector<SceneFrame>& frames);

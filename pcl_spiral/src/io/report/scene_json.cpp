@@ -97,6 +97,10 @@ addPart(const ScenePart& part, Json& arrays)
     arrays["deviation"] = packedValues(widened(part.deviation), 1);
   if (!part.cut_at.empty())
     arrays["cutAt"] = packedNumbers("f32", part.cut_at);
+  if (!part.first_at.empty()) {
+    arrays["firstAt"] = packedNumbers("f32", part.first_at);
+    arrays["firstStock"] = packedValues(widened(part.first_stock), 1);
+  }
 }
 
 Json

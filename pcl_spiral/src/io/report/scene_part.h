@@ -22,7 +22,9 @@ struct ScenePart {
   std::vector<Triangulation::Triangle> triangles; ///< counter-clockwise seen from outside
   std::vector<float> stock;                       ///< left at each place after the cut; negative: gouge; NaN: not measured; or empty
   std::vector<float> deviation;                   ///< of the contact nearest to each place; NaN: not measured; or empty
-  std::vector<float> cut_at;                      ///< time at which the tool passes each place, s; NaN: it does not; or empty
+  std::vector<float> cut_at;                      ///< when the stock of each place falls to what is left, s; infinite: never; or empty
+  std::vector<float> first_at;                    ///< when it falls first, s; empty: all falls at cut_at
+  std::vector<float> first_stock;                 ///< to what it falls first
 };
 
 /** Adds the points of \p surface. \p stock: one value for each point of its cloud, as Heights::stock; or empty. */
