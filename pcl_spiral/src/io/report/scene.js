@@ -206,7 +206,8 @@ function showFigures(pose) {
   rows.push(["Length", (pose.value(length) / 1000).toFixed(3) + " m"]);
   if (feed)
     rows.push(["Feed", feed[to] > 0 ? feed[to].toFixed(0) + " mm/min" : move[to] === 0 ? "not known" : "rapid"]);
-  rows.push([data.turnWord, Math.floor(turn[to]) + (data.turnWord === "Turn" ? 0 : 1) + " of " + data.turns]);
+  if (data.turns > 0)
+    rows.push([data.turnWord, Math.floor(turn[to]) + (data.turnWord === "Turn" ? 0 : 1) + " of " + data.turns]);
   if (number && number[to] > 0)
     rows.push([data.numberWord, number[to]]);
   if (angles)
@@ -352,7 +353,7 @@ function step(sign, byTurn) {
   let i = frameAt(now);
   const from = turn[i], inside = at => at + sign >= 0 && at + sign < frames;
   const near = at => sign > 0 ? time[at] <= now : time[at] >= now;
-  while (inside(i) && (near(i) || (byTurn && Math.abs(turn[i] - from) < 1)))
+  while (inside(i) && (near(i) || (byTurn && data.turns > 0 && Math.abs(turn[i] - from) < 1)))
     i += sign;
   goTo(time[i]);
 }
