@@ -31,9 +31,9 @@ public:
   {
     addDefaults();
     addTold();
+    addClosing();
     addParts();
     addKeepOuts();
-    addClosing();
     addOtherTurns();
     addSmallerBalls();
     std::stable_partition(found_.begin(), found_.end(), [](const SingleChange& change) { return change.named; });
@@ -121,11 +121,12 @@ private:
       add("{setLargestPart}", false, true, [](PlanInput& changed) { changed.settings.largest_part = true; });
   }
 
+  /** The closing by the ball; it cuts more of several separate parts than one of them, and so comes before these. */
   void addClosing()
   {
+    const bool separate = names("setLargestPart") || names("setPartAt");
     if (!input_.ball_closing && input_.cloud && !input_.mesh && knowsSide(input_))
-      add("{setBallClosing}, with a fixed tool axis", false, names("setBallClosing"),
-          [](PlanInput& changed) { changed.ball_closing = true; });
+      add("{setBallClosing}, with a fixed tool axis", false, separate, [](PlanInput& changed) { changed.ball_closing = true; });
   }
 
   /** Keep-outs about what the refusal gives the extents of, or about its first place. */
