@@ -4,6 +4,10 @@
  */
 #pragma once
 
+#include <pcl_spiral/core/control_model.h>
+#include <pcl_spiral/core/tool_holder.h>
+#include <pcl_spiral/machine/program_file.h>
+#include <pcl_spiral/verify/stock_mesh.h>
 #include <pcl_spiral/visualization/verification_pictures.h>
 
 #include <cstddef>
@@ -11,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkRenderWindowInteractor;
 
@@ -22,7 +27,29 @@ enum class ViewerPage {
   Path,           ///< the spiral on the shaded surface
   Deviation,      ///< the path coloured by its deviation
   Stock,          ///< the scan coloured by the stock left
-  Histogram       ///< of the ridge heights
+  Histogram,      ///< of the ridge heights
+  Playback        ///< the tool along the path in time, and the stock that falls
+};
+
+/** A place of a playback that a warning is about. */
+struct PlaybackStop {
+  std::string words;                ///< of the warning
+  std::size_t point = 0;            ///< of the path
+  std::optional<std::size_t> block; ///< of the program, in place of the point
+};
+
+/** What a viewer plays, beside its VerificationScene. Lengths in mm. */
+struct PlaybackScene {
+  CutterShape cutter;                          ///< of the path
+  std::vector<ToolSegment> holder;             ///< shank and holder above it, from the flank upwards; empty: a shank as wide as the cutter
+  Polyline tips;                               ///< one for each point of the path; empty: from the contacts
+  std::optional<ProgramFile> program;          ///< that was judged; absent: one of the machine is made of the path
+  std::vector<std::size_t> lines;              ///< ProgramFigures::lines, if there is a program
+  Machine machine;                             ///< for a path
+  double feed = 1000.0;                        ///< of a path, mm/min
+  ControlKind control = ControlKind::LinuxCNC; ///< whose times are shown
+  StockMesh left;                              ///< stockMesh of what the whole path leaves
+  std::vector<PlaybackStop> stops;             ///< the key w goes from one to the next
 };
 
 /** What the user chose of the scan. */
@@ -57,6 +84,8 @@ public:
   void setFileCoordinates(std::function<Eigen::Vector3d(const Eigen::Vector3d&)> in_file);
   /** Called with each choice of a part; returns the message that the window shows for it. */
   void setChoiceCallback(std::function<std::string(const PartSelection&)> chosen);
+  /** What the space key plays; without it there is nothing to play. The times are computed with the first key, the stock beside the window. */
+  void setPlayback(PlaybackScene playback);
   /** Called repeatedly while run works; return true to end it. */
   void setCloseRequest(std::function<bool()> wanted);
 

@@ -13,6 +13,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_spiral {
@@ -63,6 +64,29 @@ cutterActor(const ToolpathPoint& point, double radius)
   const Eigen::Vector3d axis = point.getAxisVector3fMap().cast<double>(), normal = normalOf(point);
   const auto actor =
       surfaceActor(revolved(profile, placeOf(point) + radius * normal, axis.norm() > 0.5 ? axis.normalized() : normal), cutter_color);
+  actor->GetProperty()->SetOpacity(opacity);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor>
+toolActor(const CutterShape& cutter, const std::vector<ToolSegment>& holder)
+{
+  const CutterProfile shape(cutter);
+  std::vector<Eigen::Vector2d> profile{{0.0, 0.0}};
+  for (int k = 0; k <= ball_rings; ++k) { // the corner, from the flat to the flank
+    const double angle = (0.5 * pi - shape.flankAngle()) * k / ball_rings, r = shape.cornerRadius();
+    profile.emplace_back(shape.flatRadius() + r * std::sin(angle), r - r * std::cos(angle));
+  }
+  double height = std::max(shape.topHeight(), shape.cornerHeight());
+  profile.emplace_back(shape.radius(), height);
+  if (holder.empty())
+    profile.emplace_back(shape.radius(), height += shank_radii * shape.radius());
+  for (const ToolSegment& segment : holder) {
+    profile.emplace_back(segment.lower_radius, height);
+    profile.emplace_back(segment.upper_radius, height += segment.length);
+  }
+  profile.emplace_back(0.0, height);
+  auto actor = surfaceActor(revolved(profile, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()), cutter_color);
   actor->GetProperty()->SetOpacity(opacity);
   return actor;
 }

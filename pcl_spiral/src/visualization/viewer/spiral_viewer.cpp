@@ -34,6 +34,12 @@ SpiralViewer::setChoiceCallback(std::function<std::string(const PartSelection&)>
 }
 
 void
+SpiralViewer::setPlayback(PlaybackScene playback)
+{
+  session_->setPlayback(std::move(playback));
+}
+
+void
 SpiralViewer::setCloseRequest(std::function<bool()> wanted)
 {
   session_->close_wanted = std::move(wanted);

@@ -67,6 +67,8 @@ ViewerPages::fill(const ViewerChoice& choice)
   }
   case ViewerPage::Histogram:
     return hasHistogram(scene_) ? histogram() : absent("the histogram of scallops");
+  case ViewerPage::Playback:
+    break; // drawn by PlaybackPage
   }
   return window_.page().height;
 }

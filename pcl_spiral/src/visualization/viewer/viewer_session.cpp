@@ -40,8 +40,9 @@ ViewerSession::ViewerSession(VerificationScene given)
     window.setLasso({});
     stale = true;
   };
-  style->drawn = [this](int x, int y) { draw(x, y); };
-  style->closed = [this] { endLasso(); };
+  style->drawn = [this](int x, int y) { slides_ ? slide(x) : draw(x, y); };
+  style->closed = [this] { slides_ ? endSlide() : endLasso(); };
+  style->grabs = [this](int x, int y) { return slides_ = choice.page == ViewerPage::Playback && playback->isOnBar(x, y); };
   window.setResized([this] { fill(); });
   vtkNew<vtkCallbackCommand> close; // the close button of the window
   close->SetClientData(this);
@@ -63,12 +64,13 @@ ViewerSession::~ViewerSession()
 void
 ViewerSession::fill()
 {
-  const int below = pages.fill(choice);
+  const int below = choice.page == ViewerPage::Playback ? playback->fill() : pages.fill(choice);
   if (place)
     window.addCircle(*place, place_color);
   addKeys(window.words(), window.page(), below, keys_listed);
-  addText(window.words(), message, 30, message_bottom + (choice.point ? message_apart : 0), message_size);
-  if (choice.point)
+  const bool point = choice.point && choice.page != ViewerPage::Playback;
+  addText(window.words(), message, 30, message_bottom + (point ? message_apart : 0), message_size);
+  if (point)
     addText(window.words(), pointInWords(), 30, message_bottom, message_size);
 }
 
@@ -86,11 +88,16 @@ ViewerSession::run()
   // vtkRenderWindowInteractor::Start would close the window, and fails with interactors that others have
   // deleted
   closed = false;
+  auto last = std::chrono::steady_clock::now();
   while (!closed && !(close_wanted && close_wanted())) {
     interactor->ProcessEvents();
     if (stale)
       show();
-    std::this_thread::sleep_for(poll_interval);
+    const auto now = std::chrono::steady_clock::now();
+    if (choice.page == ViewerPage::Playback)
+      play(std::chrono::duration<double>(now - last).count());
+    last = now;
+    std::this_thread::sleep_for(player && player->playing() ? std::chrono::milliseconds(1) : poll_interval);
   }
 }
 
@@ -105,7 +112,7 @@ ViewerSession::press(const std::string& key)
   style->lasso = false;
   if (scene.part.path->empty() && needsPath(*command))
     message = "there is no path: start again with the scan and a path";
-  else
+  else if (!obeyPlayback(*command))
     obey(*command);
   if (*command != ViewerCommand::Close)
     show();
@@ -166,6 +173,8 @@ ViewerSession::obey(ViewerCommand command)
   case ViewerCommand::Close:
     closed = true;
     return;
+  default:
+    return; // see obeyPlayback
   }
 }
 
@@ -247,7 +256,7 @@ void
 ViewerSession::click(int x, int y)
 {
   message.clear();
-  if (choice.page == ViewerPage::Histogram)
+  if (choice.page == ViewerPage::Histogram || choice.page == ViewerPage::Playback)
     return;
   if (scene.part.path->empty()) {
     choosePlace(x, y);

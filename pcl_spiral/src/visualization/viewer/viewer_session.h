@@ -5,6 +5,8 @@
 #pragma once
 
 #include "part_choosing.h"
+#include "playback_page.h"
+#include "player.h"
 #include "viewer_keys.h"
 #include "viewer_pages.h"
 #include "viewer_style.h"
@@ -19,6 +21,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace pcl_spiral {
@@ -36,6 +39,9 @@ public:
   /** Fills the page again and draws it. */
   void show();
   void run();
+  void setPlayback(PlaybackScene playback);
+  /** Shows the playback after \p wall_seconds more of it. */
+  void play(double wall_seconds);
 
   VerificationScene scene;
   DisplaySurface surface;
@@ -49,12 +55,16 @@ public:
   FileCoordinates in_file = [](const Eigen::Vector3d& place) { return place; };
   std::function<std::string(const PartSelection&)> chosen = partInWords; ///< the message for a choice
   std::optional<Eigen::Vector3d> place;                                  ///< of the scan, chosen
+  std::unique_ptr<Player> player;                                        ///< null: there is nothing to play
+  std::unique_ptr<PlaybackPage> playback;                                ///< null: the key was not pressed
   vtkNew<ViewerStyle> style;
   vtkSmartPointer<vtkRenderWindowInteractor> interactor; ///< destroyed first: it uses all the others
 
 private:
   void fill();
   void obey(ViewerCommand command);
+  bool obeyPlayback(ViewerCommand command);
+  bool openPlayback();
   void goTo(const PlacedValue& worst, const std::string& what);
   void goToDeviation();
   void goToStock(bool gouge);
@@ -70,6 +80,10 @@ private:
   std::string pointInWords() const;
   std::string newFile(const std::string& kind) const;
 
+  void slide(int x);
+  void endSlide();
+
+  bool slides_ = false;                ///< the bar of the playback is dragged
   std::vector<Eigen::Vector2d> lasso_; ///< pixels
 };
 

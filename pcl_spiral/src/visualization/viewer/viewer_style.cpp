@@ -11,6 +11,12 @@ namespace {
 
 constexpr int still = 3; ///< pixels the mouse may move during a click
 
+bool
+isSideways(const std::string& key)
+{
+  return key == "Left" || key == "Right";
+}
+
 } // namespace
 
 vtkStandardNewMacro(ViewerStyle);
@@ -20,7 +26,7 @@ ViewerStyle::OnKeyPress()
 {
   const char* const key = Interactor->GetKeySym();
   if (key && pressed)
-    pressed(key);
+    pressed((Interactor->GetShiftKey() && isSideways(key) ? "shift " : "") + std::string(key));
 }
 
 void
@@ -37,7 +43,7 @@ ViewerStyle::OnLeftButtonDown()
 {
   down_x_ = Interactor->GetEventPosition()[0];
   down_y_ = Interactor->GetEventPosition()[1];
-  drawing_ = lasso;
+  drawing_ = lasso || (grabs && grabs(down_x_, down_y_));
   if (drawing_)
     drawn(down_x_, down_y_);
   else

@@ -24,6 +24,8 @@ public:
   std::function<void(int x, int y)> drawn;             ///< while the left button is down, if lasso is set
   std::function<void()> closed;                        ///< the left button is up again, and lasso is not set any more
 
+  std::function<bool(int x, int y)> grabs; ///< whether a drag from there is drawn, too
+
   bool lasso = false; ///< the next drag with the left button draws and turns nothing
 
   void OnChar() override {}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/** \file
+ *  The moment that a playback shows, and the stock there.
+ */
+#pragma once
+
+#include "planning/playback.h"
+#include <pcl_spiral/visualization/spiral_viewer.h>
+
+#include <cstddef>
+#include <functional>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pcl_spiral {
+
+/** Plays a path or program. The stock is computed beside it, and falls once it is there. */
+class Player {
+public:
+  Player(PlaybackScene scene, const VerificationScene& judged);
+  ~Player();
+  Player(const Player&) = delete;
+  Player& operator=(const Player&) = delete;
+
+  /** Computes the times, once. Returns what is wrong; empty: nothing. */
+  std::string prepare();
+  const PlaybackScene& scene() const { return scene_; }
+  const PlaybackTime& time() const { return time_; }
+
+  double seconds() const { return seconds_; }
+  MotionFrame frame() const { return time_.track.at(seconds_); }
+  double speed() const { return speed_; }
+  bool playing() const { return playing_; }
+  /** Of the whole, 0 to 1: of the time, or of the length. */
+  double share() const;
+  bool byLength() const { return by_length_; }
+
+  /** From the begin again at the end. */
+  void toggle();
+  /** The next of the speeds 0.1, 0.2, 0.5, 1, ... 1000, or the one before. */
+  void faster(bool more);
+  void advance(double wall_seconds);
+  void seek(double seconds);
+  void seekShare(double share);
+  void toggleLength() { by_length_ = !by_length_; }
+  void stepBlock(bool on);
+  /** To where the path has made one turn or pass more, or less. */
+  void stepTurn(bool on);
+  void goToPoint(std::size_t point);
+  void goToBlock(std::size_t block);
+  /** The next of the blocks that cut slowest against their feed; what it is in words. */
+  std::string nextSlow();
+  /** The next of the scene's warnings; its words. */
+  std::string nextWarning();
+
+  /** Moves of the path that are complete. */
+  std::size_t moves() const { return movesAfter(time_, seconds_); }
+  /** Whether the stock is known by now. */
+  bool hasStock();
+  /** Whether it is known since the last fallTo. */
+  bool hasNewStock() { return !order_ && hasStock(); }
+  /** Waits until it is. */
+  void waitForStock();
+  /** Lets the stock fall to what it is at this moment; calls \p changed(place, height). */
+  void fallTo(const std::function<void(std::size_t, float)>& changed);
+
+private:
+  void findSlow();
+
+  PlaybackScene scene_;
+  PlaybackInput input_;
+  RemovalFigures removal_;
+  PlaybackTime time_;
+  std::optional<std::string> fault_; ///< of prepare
+  double seconds_ = 0.0, speed_ = 1.0;
+  bool playing_ = false, by_length_ = false;
+  std::vector<std::size_t> slow_; ///< blocks
+  std::size_t next_slow_ = 0, next_warning_ = 0;
+  std::future<StockFalls> coming_;
+  StockFalls falls_;
+  std::optional<FallOrder> order_;
+  std::vector<float> heights_;
+  std::size_t fallen_ = 0; ///< moves
+};
+
+} // namespace pcl_spiral
