@@ -10,9 +10,6 @@
 
 #include "planning/plan_regions.h"
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/io/machine_reader.h>
-#include <pcl_spiral/io/program_reader.h>
-#include <pcl_spiral/io/toolpath_reader.h>
 
 #include <pcl/console/print.h>
 
@@ -32,35 +29,12 @@ warn(const VerifyJob& job, const Diagnostics& warnings)
       std::cerr << "pcl_spiral_verify: warning: " << inWords(warning) << '\n';
 }
 
-/** A path or a program, and the feed of its points, if its file has one. */
-struct FiledPath {
-  GivenPath path;
-  std::vector<double> feed;
-};
-
-FiledPath
-readPath(const VerifyJob& job, const std::string& file)
-{
-  FiledPath filed;
-  if (isProgramFile(file)) {
-    const std::optional<Machine> machine = job.machine_file.empty() ? std::nullopt : std::optional(readMachine(job.machine_file));
-    filed.path.program = readProgram(file, machine, job.dialect);
-    return filed;
-  }
-  ToolpathFile read = readToolpath(file, scanShift());
-  filed.path.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(read.path));
-  filed.path.tips = std::move(read.tips);
-  filed.path.has_contacts = read.has_contacts;
-  filed.feed = std::move(read.feed);
-  return filed;
-}
-
 /** Judges a path by one region, and shows the figures. \return whether all limits hold */
 bool
 judgeAndShow(const VerifyJob& job, const JudgedScan& scan, const std::string& file, std::size_t region, PathJudge& judge,
              VerifyOutputs& outputs)
 {
-  const FiledPath filed = readPath(job, file);
+  const FiledPath filed = readFiledPath(file, job);
   const JudgedPart& part = judge.parts()[region];
   JudgedPath judged;
   judged.verification.path = file;
@@ -95,7 +69,7 @@ toolLean(const VerifyJob& job, const JudgedInput& input)
   for (const std::string& file : job.part.keep_outs.empty() ? std::vector<std::string>() : job.paths) {
     double lean = 0.0;
     bool of_scan = false;
-    const Status status = toolLean(input, readPath(job, file).path, lean, of_scan);
+    const Status status = toolLean(input, readFiledPath(file, job).path, lean, of_scan);
     require(of_scan ? job.scan() : file, status);
     most = std::max(most, lean);
   }

@@ -7,16 +7,17 @@
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
+#include "view/playback.h"
 #include "view/view_job.h"
 
 #include <pcl_spiral/io/file_error.h>
-#include <pcl_spiral/io/toolpath_reader.h>
 #include <pcl_spiral/visualization/spiral_viewer.h>
 
 #include <pcl/console/print.h>
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 
 using namespace pcl_spiral;
@@ -32,6 +33,12 @@ requireWindow()
                              "; run this on a computer with a screen or in a VNC session, or make pictures instead: "
                              "'xvfb-run -a pcl_spiral_verify SCAN PATH --tool-radius R -o verified.png'");
 }
+
+/** What the window shows. */
+struct ShownPath {
+  VerificationScene scene;
+  std::optional<PlaybackScene> playback; ///< absent: no path, or no cutter
+};
 
 /** Reads the scan or mesh, and chooses its part. */
 JudgedScan
@@ -61,25 +68,26 @@ scanScene(const ViewJob& job)
   return scene;
 }
 
-VerificationScene
-jobScene(const ViewJob& job)
+/** A path, judged. */
+ShownPath
+shownPath(const ViewJob& job)
 {
   PathJudge judge;
   const JudgedScan scan = readShown(job, judge);
-  ToolpathFile read = readToolpath(job.path, scanShift());
-  if (!read.has_contacts)
+  FiledPath filed = readFiledPath(job.path, job);
+  if (!filed.path.program && !filed.path.has_contacts)
     throw FileError(job.path, "holds tips and axes without contacts: write contacts with 'pcl_spiral_verify SCAN PATH --tool-radius R -o "
                               "PATH.vtp' and show that file");
-  GivenPath given;
-  given.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(std::move(read.path));
-  given.tips = std::move(read.tips);
   JudgedPath judged;
   judged.verification.path = job.path;
   ProgressBar bar(job.quiet);
   judge.setProgress([&bar](double share, const std::string& stage) { return bar.update(share, stage); });
-  require(job.path, judge.judge(given, 0, judged));
+  require(job.path, judge.judge(filed.path, 0, judged));
   const JudgedPart& part = judge.parts().front();
-  return judgedScene(part.cloud, judged.path, scan.input.settings, *part.reference, judged.verification, judged.heights);
+  ShownPath shown{judgedScene(part.cloud, judged.path, scan.input.settings, *part.reference, judged.verification, judged.heights), {}};
+  if (job.settings.cutter.radius > 0.0)
+    shown.playback = playbackScene(job, *part.reference, judged, std::move(filed));
+  return shown;
 }
 
 /** The option that chooses this part; it is printed, too. */
@@ -98,7 +106,10 @@ run(const ViewJob& job)
 {
   requireWindow();
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // what fails is said below, once
-  SpiralViewer viewer(job.path.empty() ? scanScene(job) : jobScene(job));
+  ShownPath shown = job.path.empty() ? ShownPath{scanScene(job), {}} : shownPath(job);
+  SpiralViewer viewer(std::move(shown.scene));
+  if (shown.playback)
+    viewer.setPlayback(std::move(*shown.playback));
   viewer.setFileCoordinates([&job](const Eigen::Vector3d& place) { return placeInFile(place, job.read); });
   viewer.setChoiceCallback(optionOf);
   viewer.setRemedy("Start again with the cutter's radius, such as --tool-radius 10 --scallop 0.05");

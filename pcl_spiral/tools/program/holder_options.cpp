@@ -27,12 +27,18 @@ segmentsOf(const std::string& value)
 
 } // namespace
 
+Option
+holderOption(std::vector<pcl_spiral::ToolSegment>& holder)
+{
+  return {"holder", "SEGMENTS",
+          "shank and holder above the flank, upwards, each part as radius,length or lower,upper,length: --holder 6,40/20,25,60",
+          [&holder](const std::string& value) { holder = segmentsOf(value); }};
+}
+
 std::vector<Option>
 holderOptions(std::vector<pcl_spiral::ToolSegment>& holder, double& clearance)
 {
-  return {{"holder", "SEGMENTS",
-           "shank and holder above the flank, upwards, each part as radius,length or lower,upper,length: --holder 6,40/20,25,60",
-           [&holder](const std::string& value) { holder = segmentsOf(value); }},
+  return {holderOption(holder),
           numberOption("holder-clearance", "L", "least distance between holder and scan; default 0: --holder-clearance 1", clearance)};
 }
 

@@ -12,6 +12,9 @@
 #include <string>
 #include <vector>
 
+/** --holder */
+Option holderOption(std::vector<pcl_spiral::ToolSegment>& holder);
+
 /** --holder and --holder-clearance. */
 std::vector<Option> holderOptions(std::vector<pcl_spiral::ToolSegment>& holder, double& clearance);
 

@@ -5,9 +5,6 @@
 #include "terminal/command_line.h"
 #include "terminal/file_names.h"
 #include "terminal/read_options.h"
-#include "terminal/vocabulary.h"
-
-#include <pcl_spiral/io/program_writer.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -21,23 +18,19 @@ files(VerifyJob& job)
 {
   OptionGroup group = judgedFiles(job, "the scan, or with --mesh the mesh, then the paths: .csv .pcd .ply .vtp, or programs: .ngc .nc .mpf "
                                        ".h .apt .cls");
-  addOptions(
-      group,
-      {textOption("machine", "FILE", "machine file of the programs, in YAML: --machine xyzac.yaml", job.machine_file),
-       {"dialect", choiceList<Dialect>(),
-        "language of a .nc; default found from its words; a .ngc is for LinuxCNC, a .mpf for Siemens, a .h for Heidenhain: --dialect "
-        "siemens",
-        [&job](const std::string& value) { job.dialect = choiceValue<Dialect>("dialect", value); }},
-       {"output", "FILE",
-        "output file, its kind by extension; repeat it for each file: -o verified.json -o verified.html\n"
-        ".json  the figures\n"
-        ".html  report to read and print, with the pictures, in one file\n"
-        ".png  picture of the deviation, of a single path; also NAME_stock.png: stock map, and NAME_histogram.png: heights of the "
-        "scallops\n"
-        ".vtp  a single path with the point data Deviation and Scallop, mm",
-        [&job](const std::string& value) { job.outputs.push_back(value); }, true},
-       stockOption(job.stock),
-       textOption("raw-scan", "FILE", raw_scan_help, job.raw_scan)});
+  addOptions(group,
+             {textOption("machine", "FILE", "machine file of the programs, in YAML: --machine xyzac.yaml", job.machine_file),
+              dialectOption(job),
+              {"output", "FILE",
+               "output file, its kind by extension; repeat it for each file: -o verified.json -o verified.html\n"
+               ".json  the figures\n"
+               ".html  report to read and print, with the pictures, in one file\n"
+               ".png  picture of the deviation, of a single path; also NAME_stock.png: stock map, and NAME_histogram.png: heights of the "
+               "scallops\n"
+               ".vtp  a single path with the point data Deviation and Scallop, mm",
+               [&job](const std::string& value) { job.outputs.push_back(value); }, true},
+              stockOption(job.stock),
+              textOption("raw-scan", "FILE", raw_scan_help, job.raw_scan)});
   return group;
 }
 
@@ -74,16 +67,9 @@ refuseInputs(const VerifyJob& job)
 void
 checkPrograms(const VerifyJob& job)
 {
-  const bool any = std::any_of(job.paths.begin(), job.paths.end(), isProgramFile);
-  require(any || (job.machine_file.empty() && !job.dialect),
+  require(std::any_of(job.paths.begin(), job.paths.end(), isProgramFile) || (job.machine_file.empty() && !job.dialect),
           "--machine and --dialect belong to programs; give a .ngc, .nc, .mpf, .h or .apt, or leave them out");
-  require(!any || !job.mesh, "programs are judged by a scan; leave --mesh out, so that the vertices of the mesh are the scan");
-  for (const std::string& path : job.paths) {
-    require(!job.machine_file.empty() || !isProgramExtension(extensionOf(path)),
-            Diagnostic(path, ": a program has the axes of a machine; give its machine file, such as --machine xyzac.yaml"));
-    if (const std::optional<Dialect> own = dialectOfExtension(extensionOf(path)); own && job.dialect)
-      require(*own == *job.dialect, Diagnostic(path, ": is always for ", std::string(entryOf(*own).word), "; leave --dialect out"));
-  }
+  checkProgramFiles(job.paths, job, job.mesh);
 }
 
 void
@@ -136,13 +122,6 @@ filesOf(const VerifyJob& job)
       files.push_back(output);
   files.insert(files.end(), job.stock.begin(), job.stock.end());
   return files;
-}
-
-bool
-isProgramFile(const std::string& file)
-{
-  const std::string extension = extensionOf(file);
-  return isProgramExtension(extension) || extension == ".apt" || extension == ".cls";
 }
 
 VerifyJob

@@ -4,25 +4,22 @@
  */
 #pragma once
 
+#include "judging/filed_path.h"
 #include "judging/judge_options.h"
 #include "report/picture_files.h"
 
-#include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/verify/verification.h>
 
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 /** The user's settings for one run. */
-struct VerifyJob : JudgeOptions {
-  std::string raw_scan;                       ///< before it was smoothed; empty: not given
-  std::vector<std::string> paths;             ///< those of the files
-  std::vector<std::string> outputs;           ///< .json .html .png .vtp
-  std::vector<std::string> stock;             ///< files for the surface after cutting: .ply .stl
-  std::string machine_file;                   ///< of programs; empty: none
-  std::optional<pcl_spiral::Dialect> dialect; ///< of .nc programs; absent: found from their words
+struct VerifyJob : JudgeOptions, ProgramReading {
+  std::string raw_scan;             ///< before it was smoothed; empty: not given
+  std::vector<std::string> paths;   ///< those of the files
+  std::vector<std::string> outputs; ///< .json .html .png .vtp
+  std::vector<std::string> stock;   ///< files for the surface after cutting: .ply .stl
   pcl_spiral::Limits limits;
 
   const std::string& scan() const { return files.front(); } ///< The scan or the mesh.
@@ -36,8 +33,5 @@ const std::vector<PictureName>& verifyPictures();
 
 /** Every file that the job writes: the outputs, with the pictures beside each NAME.png, then those of the stock. */
 std::vector<std::string> filesOf(const VerifyJob& job);
-
-/** Whether \p file is a program, by its extension: .ngc .nc .mpf .h .apt .cls */
-bool isProgramFile(const std::string& file);
 
 void printVerifyHelp(std::ostream& out);

@@ -4,14 +4,19 @@
  */
 #pragma once
 
+#include "judging/filed_path.h"
 #include "judging/judge_options.h"
+
+#include <pcl_spiral/core/tool_holder.h>
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 /** The user's settings for one run. */
-struct ViewJob : JudgeOptions {
-  std::string scan, path; ///< path empty: the scan alone
+struct ViewJob : JudgeOptions, ProgramReading {
+  std::string scan, path;                      ///< path empty: the scan alone
+  std::vector<pcl_spiral::ToolSegment> holder; ///< above the flank, upwards
 };
 
 /** \throw UsageError */

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <pcl_spiral/core/control_model.h>
+#include <pcl_spiral/core/cutter_profile.h>
+#include <pcl_spiral/core/polyline.h>
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/machine/program_file.h>
 #include <pcl_spiral/verify/stock_mesh.h>

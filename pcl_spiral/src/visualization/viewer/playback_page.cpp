@@ -117,7 +117,7 @@ PlaybackPage::fill()
   const std::string what = player_.scene().program ? "program" : "path";
   addTitle(words, window_.page(), scene_.part.title + ": " + what + " in time",
            std::to_string(player_.time().track.blocks()) + " blocks, " + clockText(player_.time().track.seconds()) + " on " +
-               controlModel(player_.scene().control).name);
+               controlModel(player_.scene().control).name + "; shares at the right: when all is done");
   addColorBar(words, window_.page(), "stock, mm", scale_.colors());
   update();
   return addLegend(words, window_.page(), scale_.legend(scene_.stock));

@@ -2,6 +2,7 @@
 #include "player.h"
 
 #include "common/formatted_text.h"
+#include <pcl_spiral/core/impl/angles.h>
 
 #include <algorithm>
 #include <array>
@@ -138,6 +139,8 @@ Player::stepBlock(bool on)
 void
 Player::stepTurn(bool on)
 {
+  if (input_.program && !input_.machine.three_axes)
+    return stepRotation(on);
   const pcl::PointCloud<ToolpathPoint>& path = *input_.path;
   const std::size_t i = std::min(moves(), path.size() - 1);
   const float wanted = path[i].turn + (on ? 1.0f : -1.0f);
@@ -147,6 +150,21 @@ Player::stepTurn(bool on)
   while (!on && next > 0 && path[next].turn > wanted)
     --next;
   goToPoint(next);
+}
+
+/** A program knows no turns of its path: to where the first rotary axis has turned once more, or to the end. */
+void
+Player::stepRotation(bool on)
+{
+  const std::vector<ProgramBlock>& blocks = time_.track.program().blocks;
+  const double from = frame().angles.first;
+  std::size_t next = frame().block;
+  const auto turned = [&] { return std::abs(blocks[next].angles.first - from) >= full_turn; };
+  while (on && next + 1 < blocks.size() && !turned())
+    ++next;
+  while (!on && next > 0 && !turned())
+    --next;
+  goToBlock(next);
 }
 
 void

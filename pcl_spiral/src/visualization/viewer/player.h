@@ -46,7 +46,7 @@ public:
   void seekShare(double share);
   void toggleLength() { by_length_ = !by_length_; }
   void stepBlock(bool on);
-  /** To where the path has made one turn or pass more, or less. */
+  /** To where the path has made one turn or pass more, or less; for a program on five axes one turn of the first rotary axis. */
   void stepTurn(bool on);
   void goToPoint(std::size_t point);
   void goToBlock(std::size_t block);
@@ -68,6 +68,7 @@ public:
 
 private:
   void findSlow();
+  void stepRotation(bool on);
 
   PlaybackScene scene_;
   PlaybackInput input_;

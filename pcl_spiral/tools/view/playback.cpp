@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "playback.h"
+
+#include "terminal/vocabulary.h"
+
+#include <pcl_spiral/io/machine_reader.h>
+
+#include <algorithm>
+
+using namespace pcl_spiral;
+
+namespace {
+
+/** The control of a language, such as "siemens"; LinuxCNC for APT, which names none. */
+ControlKind
+controlOf(const std::string& language)
+{
+  const auto entry =
+      std::find_if(dialect_entries.begin(), dialect_entries.end(), [&](const DialectEntry& one) { return language == one.word; });
+  return entry == dialect_entries.end() ? ControlKind::LinuxCNC : entry->control;
+}
+
+} // namespace
+
+PlaybackScene
+playbackScene(const ViewJob& job, const ReferenceSurface& reference, const JudgedPath& judged, FiledPath filed)
+{
+  PlaybackScene scene;
+  scene.cutter = job.settings.cutter;
+  scene.holder = job.holder;
+  scene.tips = judged.tips;
+  scene.machine = job.machine_file.empty() ? xyzacTrunnion() : readMachine(job.machine_file);
+  if (!filed.feed.empty() && filed.feed.front() > 0.0)
+    scene.feed = filed.feed.front();
+  if (filed.path.program) {
+    const ProgramFigures& figures = *judged.verification.program;
+    scene.lines = figures.lines;
+    scene.control = controlOf(figures.language);
+    scene.program = std::move(filed.path.program);
+    if (figures.leads.collided > 0)
+      scene.stops.push_back({inWords(figures.faults.back()), 0, figures.leads.deepest.block});
+  }
+  scene.left = stockMesh(reference, judged.heights.stock);
+  return scene;
+}
