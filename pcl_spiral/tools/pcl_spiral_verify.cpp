@@ -57,7 +57,7 @@ judgeAndShow(const VerifyJob& job, const JudgedScan& scan, const std::string& fi
       std::cerr << "pcl_spiral_verify: " << inWords(Diagnostic(nameOf(judged.verification), ": ", broken)) << '\n';
   const bool alone = job.paths.size() == 1 && judge.parts().size() == 1;
   warn(job, ofRegion(alone ? std::string() : nameOf(judged.verification), warningsOf(judged.verification)));
-  outputs.take(scan.input, part, judged, filed.feed, filed.path.program);
+  outputs.take(scan.input, part, judged, filed);
   return judged.verification.broken.empty();
 }
 

@@ -6,8 +6,10 @@
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
+#include "verify/scene_files.h"
 
 #include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/scene_writer.h>
 #include <pcl_spiral/io/stock_writer.h>
 #include <pcl_spiral/io/toolpath_writer.h>
 
@@ -33,8 +35,7 @@ VerifyOutputs::VerifyOutputs(const VerifyJob& job) : job_(job), files_(filesOf(j
 }
 
 void
-VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const JudgedPath& judged, const std::vector<double>& feed,
-                    const std::optional<ProgramFile>& program)
+VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const JudgedPath& judged, const FiledPath& filed)
 {
   const ReferenceSurface& surface = *part.reference;
   if (const ReferenceMesh* mesh = surface.mesh()) {
@@ -43,7 +44,7 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
   }
   const bool report = writes(job_, ".html");
   if (report)
-    addToScene(input, part, judged, feed, program);
+    addToScene(input, part, judged, filed.feed, filed.path.program);
   if (report || writes(job_, ".png")) {
     const VerificationScene scene = judgedScene(part.cloud, judged.path, input.settings, surface, judged.verification, judged.heights);
     if (report)
@@ -52,10 +53,18 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
     report_pictures_.push_back(
         pictures_.forReport({PictureKind::Spiral, PictureKind::Deviation, PictureKind::Stock, PictureKind::Histogram}));
   }
-  for (std::size_t i = 0; i < files_.size(); ++i)
-    if (extensionOf(files_.path(i)) == ".vtp")
-      writeToolpath(files_.temporary(i), *judged.path, {job_.settings.cutter.radius, 0.0, judged.tips, {}, scanShift()},
-                    {feed, judged.heights.deviation, judged.heights.scallop});
+  std::size_t file = 0;
+  for (const std::string& output : job_.outputs) {
+    const std::string extension = extensionOf(output);
+    if (extension == ".vtp")
+      writeToolpath(files_.temporary(file), *judged.path, {job_.settings.cutter.radius, 0.0, judged.tips, {}, scanShift()},
+                    {filed.feed, judged.heights.deviation, judged.heights.scallop});
+    else if (extension == ".glb" || extension == ".gltf")
+      writeScene(files_.temporary(file), {stockMesh(surface, judged.heights.stock), judged.path, judged.verification.removal.limit});
+    else if (extension == ".pvd")
+      writeCutSeries(job_, surface, judged, filed, files_, file);
+    file += filesOf(output).size();
+  }
   if (!job_.stock.empty())
     append(stockMesh(surface, judged.heights.stock), left_);
   verifications_.push_back(judged.verification);
@@ -105,7 +114,7 @@ try {
       writeVerificationHTML(files_.temporary(i++), {title, madeBy("pcl_spiral_verify"), job_.command}, run, verifications_,
                             report_pictures_);
     else
-      ++i; // written when the path was taken
+      i += filesOf(output).size(); // written when the path was taken
   }
   for (std::size_t k = 0; k < job_.stock.size(); ++k)
     writeStock(files_.temporary(files_.size() - job_.stock.size() + k), left_, scanShift());

@@ -19,10 +19,9 @@ public:
    *  \throw pcl_spiral::FileError */
   explicit VerifyOutputs(const VerifyJob& job);
 
-  /** Draws the pictures and writes the .vtp file of a path, if they were asked for. \p feed: of the points, mm/min; empty: not known.
-   *  \p program: that was judged. */
+  /** Draws the pictures and writes the files of a path alone, if they were asked for. \throw pcl_spiral::FileError */
   void take(const pcl_spiral::JudgedInput& input, const pcl_spiral::JudgedPart& part, const pcl_spiral::JudgedPath& judged,
-            const std::vector<double>& feed, const std::optional<pcl_spiral::ProgramFile>& program);
+            const FiledPath& filed);
   /** Writes the other files and moves all files to their places. \p warnings: of the scan. \throw pcl_spiral::FileError, Cancelled */
   void finish(const pcl_spiral::Diagnostics& warnings);
 

@@ -5,6 +5,7 @@
 #include "terminal/command_line.h"
 #include "terminal/file_names.h"
 #include "terminal/read_options.h"
+#include "verify/scene_files.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -27,7 +28,9 @@ files(VerifyJob& job)
                ".html  report to read and print, with the pictures, in one file\n"
                ".png  picture of the deviation, of a single path; also NAME_stock.png: stock map, and NAME_histogram.png: heights of the "
                "scallops\n"
-               ".vtp  a single path with the point data Deviation and Scallop, mm",
+               ".vtp  a single path with the point data Deviation and Scallop, mm\n"
+               ".glb .gltf  scene of a single path: part, path, and the stock that is left, for programs that show glTF\n"
+               ".pvd  a single path in time, for ParaView; also NAME_00.vtp to NAME_24.vtp: stock and tool at moments equally far apart",
                [&job](const std::string& value) { job.outputs.push_back(value); }, true},
               stockOption(job.stock),
               textOption("raw-scan", "FILE", raw_scan_help, job.raw_scan)});
@@ -82,9 +85,9 @@ complete(VerifyJob& job)
   job.paths.assign(job.files.begin() + 1, job.files.end());
   for (const std::string& output : job.outputs) {
     const std::string extension = extensionOf(output);
-    const std::vector<std::string> known{".json", ".html", ".png", ".vtp"};
+    const std::vector<std::string> known{".json", ".html", ".png", ".vtp", ".glb", ".gltf", ".pvd"};
     require(std::find(known.begin(), known.end(), extension) != known.end(),
-            Diagnostic("-o ", output, ": extension '", extension, "' is not known; use .json .html .png or .vtp"));
+            Diagnostic("-o ", output, ": extension '", extension, "' is not known; use .json .html .png .vtp .glb .gltf or .pvd"));
     require(
         job.paths.size() == 1 || extension == ".json" || extension == ".html",
         Diagnostic("-o ", output, ": shows one path, and ", job.paths.size(), " are given; give only one path, or write .json or .html"));
@@ -111,15 +114,26 @@ verifyPictures()
 }
 
 std::vector<std::string>
+filesOf(const std::string& output)
+{
+  const std::string extension = extensionOf(output);
+  if (extension == ".pvd")
+    return seriesFiles(output);
+  if (extension != ".png")
+    return {output};
+  std::vector<std::string> files;
+  for (const PictureName& picture : verifyPictures())
+    files.push_back(besideName(output, picture.suffix));
+  return files;
+}
+
+std::vector<std::string>
 filesOf(const VerifyJob& job)
 {
   std::vector<std::string> files;
   for (const std::string& output : job.outputs)
-    if (extensionOf(output) == ".png")
-      for (const PictureName& picture : verifyPictures())
-        files.push_back(besideName(output, picture.suffix));
-    else
-      files.push_back(output);
+    for (const std::string& file : filesOf(output))
+      files.push_back(file);
   files.insert(files.end(), job.stock.begin(), job.stock.end());
   return files;
 }

@@ -5,22 +5,7 @@
 
 #include <pcl_spiral/io/machine_reader.h>
 
-#include <algorithm>
-
 using namespace pcl_spiral;
-
-namespace {
-
-/** The control of a language, such as "siemens"; LinuxCNC for APT, which names none. */
-ControlKind
-controlOf(const std::string& language)
-{
-  const auto entry =
-      std::find_if(dialect_entries.begin(), dialect_entries.end(), [&](const DialectEntry& one) { return language == one.word; });
-  return entry == dialect_entries.end() ? ControlKind::LinuxCNC : entry->control;
-}
-
-} // namespace
 
 PlaybackScene
 playbackScene(const ViewJob& job, const ReferenceSurface& reference, const JudgedPath& judged, FiledPath filed)

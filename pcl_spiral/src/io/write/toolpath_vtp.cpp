@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/byte_file.h"
-#include "io/quiet_vtk.h"
+#include "io/write/vtp_file.h"
 
 #include <pcl_spiral/common/point_types.h>
 #include <pcl_spiral/io/file_error.h>
@@ -8,13 +7,11 @@
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <array>
@@ -127,18 +124,7 @@ writeToolpathVTP(const std::string& file, const pcl::PointCloud<ToolpathPoint>& 
   requireOneAPoint(values.feed.size(), path.size(), "feed");
   requireOneAPoint(values.deviation.size(), path.size(), "deviation");
   requireOneAPoint(values.scallop.size(), path.size(), "scallop");
-  const QuietVtk quiet;
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->WriteToOutputStringOn();
-  writer->SetInputData(polyData(path, motion, values));
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToNone();
-  if (writer->Write() != 1 || writer->GetErrorCode() != vtkErrorCode::NoError)
-    throw FileError(file, Diagnostic("cannot be written: ", std::string(vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()))));
-  ByteFile out(file); // VTK's own file writer does not report errors at closing
-  out.write(writer->GetOutputString());
-  out.close();
+  writePolyData(file, polyData(path, motion, values));
 }
 
 } // namespace pcl_spiral

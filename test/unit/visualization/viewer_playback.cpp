@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The playback of a viewer: keys, bar, tool and stock on the screen.
+#include "visualization/viewer/viewer_session.h"
+#include <pcl_spiral/planning/impl/path_judge.h>
+#include <pcl_spiral/verify/impl/reference_surface.h>
+
+#include "support/passes.h"
+#include "support/picture_pixels.h"
+#include "support/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkCommand.h>
+#include <vtkRenderWindow.h>
+
+#include <cmath>
+
+namespace viewer_playback_test {
+
+using namespace pcl_spiral;
+using namespace pcl_spiral::test;
+
+namespace {
+
+constexpr double R = 6.0, h = 0.05;
+
+/** Passes of a ball over a dome, judged, in a window. */
+class ViewerPlayback : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    if (!displayFault().empty())
+      GTEST_SKIP() << "no display here";
+    const SurfacePtr surface = ball(60.0, Region({circle({0, 0}, 12.0)}));
+    JudgedInput input;
+    input.cloud = toCloud(sampleUniform(*surface, 3000, 1).points);
+    input.settings.cutter = CutterShape::ball(R);
+    input.settings.scallop_height = h;
+    std::vector<double> us;
+    for (double u = -12.0; u <= 12.0; u += exactStepOver(R, h, 1.0 / 60.0))
+      us.push_back(u);
+    const auto path = toolpath(straightPasses(*surface, us, 12.0, 0.8));
+    for (std::size_t i = 1; i < path->size(); ++i)
+      (*path)[i].arc_length = (*path)[i - 1].arc_length + ((*path)[i].getVector3fMap() - (*path)[i - 1].getVector3fMap()).norm();
+    GivenPath given;
+    given.path = path;
+    PathJudge judge;
+    JudgedPath judged;
+    ASSERT_TRUE(judge.prepare(input, 0.0).ok());
+    judge.setProgress({});
+    ASSERT_TRUE(judge.judge(given, 0, judged).ok());
+    const ReferenceSurface& reference = *judge.parts().front().reference;
+    VerificationScene scene;
+    scene.part.title = "dome";
+    scene.part.cloud = input.cloud;
+    scene.part.path = judged.path;
+    scene.part.settings.tool_radius = R;
+    scene.part.settings.scallop_height = h;
+    scene.part.report.loops = reference.loops();
+    scene.part.report.spacing = reference.graph().spacing();
+    scene.stock = judged.heights.stock;
+    scene.removal_figures = judged.verification.removal;
+    PlaybackScene played;
+    played.cutter = input.settings.cutter;
+    played.machine = xyzacTrunnion();
+    played.left = stockMesh(reference, judged.heights.stock);
+    played.stops.push_back({"look here", 100, {}});
+    session = std::make_unique<ViewerSession>(std::move(scene));
+    session->window.window()->SetSize(960, 720);
+    session->setPlayback(std::move(played));
+  }
+  std::size_t magenta() const
+  {
+    const Frame frame(session->window.window());
+    return frame.count([](const Pixel& p) { return p[0] > 120 && p[2] > 110 && p[1] < 70; }, 0, 550, 130, frame.height() - 100);
+  }
+
+  std::unique_ptr<ViewerSession> session;
+};
+
+} // namespace
+
+TEST_F(ViewerPlayback, KeysMoveTheToolThroughTheProgram)
+{
+  session->press("space");
+  ASSERT_EQ(session->choice.page, ViewerPage::Playback) << session->message;
+  Player& player = *session->player;
+  EXPECT_TRUE(player.playing());
+  session->play(0.5);
+  EXPECT_NEAR(player.seconds(), 0.5, 1e-9);
+  session->press("plus");
+  session->play(0.5);
+  EXPECT_NEAR(player.seconds(), 1.5, 1e-9) << "twice as fast";
+  for (int i = 0; i < 20; ++i)
+    session->press("plus");
+  EXPECT_EQ(player.speed(), 1000.0);
+  for (int i = 0; i < 20; ++i)
+    session->press("minus");
+  EXPECT_EQ(player.speed(), 0.1);
+  session->press("space");
+  EXPECT_FALSE(player.playing());
+  const std::size_t block = player.frame().block;
+  session->press("Right");
+  EXPECT_EQ(player.frame().block, block + 1);
+  session->press("Left");
+  EXPECT_EQ(player.frame().block, block);
+  session->press("w");
+  EXPECT_EQ(session->message, "look here");
+  EXPECT_EQ(player.seconds(), player.time().reached[100]);
+  session->press("e");
+  const MotionFrame slow = player.frame();
+  EXPECT_LT(slow.feed, 0.9 * slow.asked) << session->message;
+  session->press("g");
+  EXPECT_EQ(player.seconds(), player.time().reached[session->scene.removal_figures.gouge.index]);
+  session->press("1");
+  EXPECT_EQ(session->choice.page, ViewerPage::Boundaries);
+}
+
+TEST_F(ViewerPlayback, StockFallsAndTheBarLeadsThroughTheTime)
+{
+  session->press("6");
+  session->player->waitForStock();
+  session->show();
+  const std::size_t whole = magenta();
+  EXPECT_GT(whole, 10000U) << "nothing is cut";
+  const auto dragTo = [&](double share) {
+    int x = 30;
+    while (session->playback->shareAt(x) < share)
+      ++x;
+    session->interactor->SetEventInformation(x, 108);
+    session->interactor->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+    session->interactor->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  };
+  dragTo(0.5);
+  EXPECT_NEAR(session->player->share(), 0.5, 0.01);
+  const std::size_t half = magenta();
+  EXPECT_LT(half, 0.8 * whole);
+  EXPECT_GT(half, 0.1 * whole);
+  session->press("b");
+  dragTo(0.25);
+  EXPECT_NEAR(session->player->frame().length, 0.25 * session->player->time().track.length(),
+              0.01 * session->player->time().track.length());
+  dragTo(1.0);
+  EXPECT_LT(magenta(), 0.02 * whole);
+  dragTo(0.0);
+  EXPECT_NEAR(static_cast<double>(magenta()), static_cast<double>(whole), 0.15 * whole) << "it stands again";
+}
+
+TEST_F(ViewerPlayback, WithoutACutterThereIsNothingToPlay)
+{
+  session->player.reset();
+  session->press("space");
+  EXPECT_NE(session->message.find("--tool-radius 10"), std::string::npos);
+  EXPECT_EQ(session->choice.page, ViewerPage::Boundaries);
+}
+
+} // namespace viewer_playback_test
