@@ -149,8 +149,9 @@ TEST_F(ViewerPlayback, StockFallsAndTheBarLeadsThroughTheTime)
 TEST_F(ViewerPlayback, WithoutACutterThereIsNothingToPlay)
 {
   session->player.reset();
+  session->pages.setRemedy("Give the cutter");
   session->press("space");
-  EXPECT_NE(session->message.find("--tool-radius 10"), std::string::npos);
+  EXPECT_NE(session->message.find("nothing to play. Give the cutter"), std::string::npos);
   EXPECT_EQ(session->choice.page, ViewerPage::Boundaries);
 }
 

@@ -76,7 +76,7 @@ public:
   explicit SpiralViewer(VerificationScene scene);
   ~SpiralViewer();
 
-  /** The advice that a view without values shows to the user. */
+  /** The advice that a view without values, and the playback without a scene of it, shows to the user. */
   void setRemedy(const std::string& remedy);
   /** Saved views are STEM_1.png, STEM_2.png ..., and polygons STEM_lasso_1.txt ...: the first name that does not exist. "view" by
    *  default. */
@@ -86,7 +86,8 @@ public:
   void setFileCoordinates(std::function<Eigen::Vector3d(const Eigen::Vector3d&)> in_file);
   /** Called with each choice of a part; returns the message that the window shows for it. */
   void setChoiceCallback(std::function<std::string(const PartSelection&)> chosen);
-  /** What the space key plays; without it there is nothing to play. The times are computed with the first key, the stock beside the window. */
+  /** What the space key plays; without it there is nothing to play. The times are computed with the first key, the stock beside the
+   *  window. */
   void setPlayback(PlaybackScene playback);
   /** Called repeatedly while run works; return true to end it. */
   void setCloseRequest(std::function<bool()> wanted);

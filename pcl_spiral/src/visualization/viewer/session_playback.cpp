@@ -19,7 +19,7 @@ ViewerSession::openPlayback()
   if (choice.page == ViewerPage::Playback)
     return true;
   if (!player) {
-    message = "there is nothing to play: start again with a path and its cutter, such as --tool-radius 10";
+    message = "there is nothing to play. " + pages.remedy();
     return false;
   }
   if (const std::string fault = player->prepare(); !fault.empty()) {

@@ -28,6 +28,7 @@ public:
   ViewerPages(const VerificationScene& scene, ViewerWindow& window);
 
   void setRemedy(const std::string& remedy) { remedy_ = remedy; }
+  const std::string& remedy() const { return remedy_; }
   /** Replaces the content of the window. Returns the lower end of the right column, pixels. */
   int fill(const ViewerChoice& choice);
   /** The turns that a page shows for the position of the camera. */
