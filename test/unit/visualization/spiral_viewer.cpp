@@ -3,6 +3,7 @@
 #include <pcl_spiral/visualization/spiral_viewer.h>
 
 #include "support/scratch_folder.h"
+#include "support/window_frame.h"
 
 #include <pcl/conversions.h>
 
@@ -25,6 +26,7 @@
 namespace spiral_viewer_test {
 
 using namespace pcl_spiral;
+using namespace pcl_spiral::test;
 
 namespace {
 
@@ -86,49 +88,6 @@ scene(int reference_points = 20000, int turns = 60, int steps_a_turn = 200)
   result.removal_figures.scallop.max = {0.01, place(50.0, 1.0), worst / 2};
   return result;
 }
-
-using Pixel = std::array<int, 3>;
-
-/** The content of a window, without drawing it again. */
-class Frame {
-public:
-  explicit Frame(vtkRenderWindow* window) : width_(window->GetSize()[0]), height_(window->GetSize()[1])
-  {
-    constexpr int front = 1;
-    vtkNew<vtkUnsignedCharArray> bytes;
-    window->GetPixelData(0, 0, width_ - 1, height_ - 1, front, bytes);
-    bytes_.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
-  }
-  int width() const { return width_; }
-  int height() const { return height_; }
-  Pixel at(int x, int y) const
-  {
-    const auto* const p = &bytes_[3 * (static_cast<std::size_t>(y) * width_ + x)];
-    return {p[0], p[1], p[2]};
-  }
-  /** Number of matching pixels from column \p first to before \p last and from row \p low to before \p high. */
-  std::size_t count(const std::function<bool(const Pixel&)>& matches, int first, int last, int low, int high) const
-  {
-    std::size_t n = 0;
-    for (int y = low; y < high; ++y)
-      for (int x = first; x < last; ++x)
-        n += matches(at(x, y));
-    return n;
-  }
-  std::size_t count(const std::function<bool(const Pixel&)>& matches) const { return count(matches, 0, width_, 0, height_); }
-  /** Share of pixels that differ from those of \p other. */
-  double difference(const Frame& other) const
-  {
-    std::size_t n = 0;
-    for (std::size_t i = 0; i + 2 < bytes_.size(); i += 3)
-      n += bytes_[i] != other.bytes_[i] || bytes_[i + 1] != other.bytes_[i + 1] || bytes_[i + 2] != other.bytes_[i + 2];
-    return static_cast<double>(n) / (static_cast<double>(width_) * height_);
-  }
-
-private:
-  int width_, height_;
-  std::vector<unsigned char> bytes_;
-};
 
 std::function<bool(const Pixel&)>
 like(double r, double g, double b)

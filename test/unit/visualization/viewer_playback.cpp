@@ -5,13 +5,12 @@
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
 #include "support/passes.h"
-#include "support/picture_pixels.h"
 #include "support/reference.h"
+#include "support/window_frame.h"
 
 #include <gtest/gtest.h>
 
 #include <vtkCommand.h>
-#include <vtkRenderWindow.h>
 
 #include <cmath>
 
