@@ -19,25 +19,36 @@ constexpr KeyLine lines[] = {{"1", "part and boundaries"},
                              {"3", "deviation map"},
                              {"4", "stock map"},
                              {"5", "scallop histogram"},
-                             {"6  space", "playback; play, stop"},
-                             {"+ -", "faster, slower: 1/10 to 1000 times"},
-                             {"b", "bar of the playback by length, by time"},
-                             {"e  w", "next slow block; next warning"},
+                             {"6  space", "playback"},
                              {"t", "every turn, or separate turns only"},
                              {"d", "go to the largest deviation"},
                              {"s", "go to the highest scallop"},
                              {"g", "go to the deepest gouge"},
                              {"click", "choose a point of the path"},
-                             {"left right", "previous, next point or block"},
-                             {"down up", "turn, also shift with left right"},
+                             {"left right", "previous point, next point"},
+                             {"down up", "previous turn, next turn"},
                              {"c", "cutter at the chosen point on, off"},
                              {"drag", "rotate; with shift: move; wheel: zoom"},
                              {"r  z", "show the whole part; look along z"},
                              {"a", "place of the scanned point at the mouse"},
                              {"l", "lasso: drag round it; a polygon file"},
                              {"p", "save the view as PNG"},
-                             {"h", "this list on, off"},
-                             {"q", "quit"}};
+                             {"h  q", "this list on, off; quit"}};
+constexpr KeyLine playback_lines[] = {{"1 ... 5", "the other views"},
+                                      {"space", "play, stop"},
+                                      {"+  -", "faster, slower: 1/10 to 1000 times"},
+                                      {"b", "bar by length, by time; drag it"},
+                                      {"left right", "previous block, next block"},
+                                      {"down up", "turn; also shift with left, right"},
+                                      {"d", "go to the largest deviation"},
+                                      {"s", "go to the highest scallop"},
+                                      {"g", "go to the deepest gouge"},
+                                      {"e", "go to the next of the slowest blocks"},
+                                      {"w", "go to the next warning with a place"},
+                                      {"drag", "rotate; with shift: move; wheel: zoom"},
+                                      {"r  z", "show the whole part; look along z"},
+                                      {"p", "save the view as PNG"},
+                                      {"h  q", "this list on, off; quit"}};
 /** lowest: above the messages, which may be long */
 constexpr int key_width = 92, lowest = 72, most_pitch = 25, least_pitch = 12, gap = 16; ///< pixels
 
@@ -79,19 +90,20 @@ needsPath(ViewerCommand command)
 }
 
 void
-addKeys(vtkRenderer* words, const PageSize& page, int below, bool all)
+addKeys(vtkRenderer* words, const PageSize& page, int below, KeyList list)
 {
   const int left = page.wordsLeft();
-  if (!all)
+  if (list == KeyList::None)
     return addText(words, "h   list of keys", left, lowest, 17);
-  const int count = static_cast<int>(std::size(lines));
+  const bool playback = list == KeyList::Playback;
+  const KeyLine* const first = playback ? playback_lines : lines;
+  const int count = static_cast<int>(playback ? std::size(playback_lines) : std::size(lines));
   const int pitch = std::clamp((below - gap - lowest) / count, least_pitch, most_pitch);
   const int font = std::min(17, pitch * 4 / 5);
   int y = lowest + (count - 1) * pitch;
-  for (const KeyLine& line : lines) {
-    addText(words, line.keys, left, y, font, true);
-    addText(words, line.meaning, left + key_width, y, font);
-    y -= pitch;
+  for (const KeyLine* line = first; line != first + count; ++line, y -= pitch) {
+    addText(words, line->keys, left, y, font, true);
+    addText(words, line->meaning, left + key_width, y, font);
   }
 }
 

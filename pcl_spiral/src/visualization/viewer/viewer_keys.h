@@ -49,8 +49,10 @@ std::optional<ViewerCommand> commandOf(const std::string& key);
 /** Whether a command shows or chooses something of a path. */
 bool needsPath(ViewerCommand command);
 
-/** Lists the keys in the right column, from \p below down; without \p all only the key of the list.
- */
-void addKeys(vtkRenderer* words, const PageSize& page, int below, bool all);
+/** The keys that are listed. */
+enum class KeyList { None, Views, Playback };
+
+/** Lists the keys in the right column, from \p below down; None: only the key of the list. */
+void addKeys(vtkRenderer* words, const PageSize& page, int below, KeyList list);
 
 } // namespace pcl_spiral

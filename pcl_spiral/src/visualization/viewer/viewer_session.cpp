@@ -67,7 +67,8 @@ ViewerSession::fill()
   const int below = choice.page == ViewerPage::Playback ? playback->fill() : pages.fill(choice);
   if (place)
     window.addCircle(*place, place_color);
-  addKeys(window.words(), window.page(), below, keys_listed);
+  const KeyList list = choice.page == ViewerPage::Playback ? KeyList::Playback : KeyList::Views;
+  addKeys(window.words(), window.page(), below, keys_listed ? list : KeyList::None);
   const bool point = choice.point && choice.page != ViewerPage::Playback;
   addText(window.words(), message, 30, message_bottom + (point ? message_apart : 0), message_size);
   if (point)
