@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/changes_tried.h"
 
+#include "planning/scan_clearance.h"
+
 #include "graph/local_shape.h"
+#include <pcl_spiral/collision/impl/false_echoes.h>
+#include <pcl_spiral/core/impl/tolerances.h>
 
 #include <pcl/common/point_tests.h>
 
@@ -43,6 +47,23 @@ figuresOf(const SpiralPlan& plan)
   if (uncut > 0.0)
     text += Diagnostic("; not cut beside keep-outs: ", uncut, " {mm2}");
   return text;
+}
+
+/** Whether the ball of \p plan stays out of all points of its scan but single false echoes, also out of those that are left out. */
+bool
+isClear(const SpiralPlan& plan)
+{
+  if (plan.mesh || !plan.whole)
+    return true;
+  std::vector<Eigen::Vector3f> points;
+  for (const pcl::PointXYZ& p : *plan.whole)
+    if (pcl::isFinite(p))
+      points.push_back(p.getVector3fMap());
+  pcl::PointCloud<pcl::PointXYZ> things;
+  for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
+    things.push_back({p.x(), p.y(), p.z()});
+  const SpiralSettings& s = plan.settings;
+  return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= gougeTolerance(s.chord_error, plan.report.noise);
 }
 
 /** How far the points of \p cloud about \p place are apart, mm, by the distance of the eighth of them. */
@@ -126,10 +147,10 @@ private:
       SpiralPlan with;
       const Status status = plan_(change.input, with);
       const Diagnostic words = before ? Diagnostic(*before, " and ", change.words) : change.words;
-      if (status.ok())
+      if (status.ok() && isClear(with))
         return Diagnostic(figuresOf(with), ": ", words);
       words_ += Diagnostic(words_.empty() ? "" : "; ", change.words);
-      if (status.code() != StatusCode::InvalidArgument && status.diagnostic() != refused.status.diagnostic())
+      if (!status.ok() && status.code() != StatusCode::InvalidArgument && status.diagnostic() != refused.status.diagnostic())
         refused_.push_back({change, {status, wasLate(with.attempts)}});
     }
     return std::nullopt;
