@@ -331,6 +331,9 @@ TEST_F(JudgedProgram, TheMachiningTimeOfTheTextIsThatOfThePlan)
   *smooths = "G64 P0.5";
   writeText(folder_.path("smooth.ngc"), textOf(lines));
   EXPECT_LT(secondsOf("smooth.ngc"), 0.999 * planned["seconds"].get<double>()) << "the tolerance is that of the text";
+  *smooths = "G61";
+  writeText(folder_.path("exact.ngc"), textOf(lines));
+  EXPECT_GT(secondsOf("exact.ngc"), 1.001 * planned["seconds"].get<double>()) << "G61 stops at every corner";
   const RunResult apt = verify("part.apt", "", {"-o", "figures.json"});
   EXPECT_EQ(apt.out.find("on the control"), std::string::npos) << "no control is known that reads APT";
 }

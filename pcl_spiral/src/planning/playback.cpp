@@ -55,19 +55,22 @@ reachedByWay(const PlaybackInput& input, const ToolPoses& poses, const MotionTra
   const std::vector<ProgramBlock>& blocks = track.program().blocks;
   const std::vector<std::size_t> begins = passBegins(*input.path);
   std::vector<double> reached;
+  constexpr double rounding = 1e-9; // of the way of a pass
   std::size_t block = 0, pass = 0;
-  double way = 0.0;
+  double way = 0.0, begin = 0.0; // along the pass, and arc length where it begins
   const auto cuts = [&](std::size_t b) { return blocks[b].section == BlockSection::Cut && blocks[b].pass == pass; };
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const bool first = i == 0 || beginsPass(begins, i);
     if (i > 0 && first)
       ++pass;
-    if (!first)
-      way += (poses[i].contact - poses[i - 1].contact).norm();
-    while (block + 1 < blocks.size() && !(cuts(block) && (first || blocks[block].arc_length >= way)))
+    way = first ? 0.0 : way + (poses[i].contact - poses[i - 1].contact).norm();
+    const auto isHere = [&] { return cuts(block) && (first || blocks[block].arc_length >= begin + way * (1.0 - rounding)); };
+    while (block + 1 < blocks.size() && blocks[block + 1].pass <= pass && !isHere())
       ++block;
     const double before = block > 0 ? blocks[block - 1].arc_length : 0.0, made = blocks[block].arc_length - before;
-    const double share = made > 0.0 ? std::clamp((way - before) / made, 0.0, 1.0) : 1.0;
+    if (first)
+      begin = before;
+    const double share = made > 0.0 ? std::clamp((begin + way - before) / made, 0.0, 1.0) : 1.0;
     reached.push_back(track.secondsIn(block, first ? 0.0 : share));
   }
   return reached;
@@ -123,7 +126,7 @@ playbackTime(const PlaybackInput& input, PlaybackTime& time)
   }
   else if (const Status status = makeProgram(input, poses, program); !status.ok())
     return status;
-  const std::optional<MotionTime> motion = motionTime(program, input.control);
+  const std::optional<MotionTime> motion = motionTime(program, input.control, input.program ? input.program->tolerance : std::nullopt);
   if (!motion || program.blocks.empty())
     return {StatusCode::InvalidInput, "the program has no blocks, or a block without a finite place or time, so that it cannot be played"};
   time.track = MotionTrack(std::move(program), *motion, input.program && input.program->axis_arcs);

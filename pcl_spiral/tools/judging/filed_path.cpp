@@ -59,11 +59,3 @@ readFiledPath(const std::string& file, const ProgramReading& reading)
   filed.feed = std::move(read.feed);
   return filed;
 }
-
-ControlKind
-controlOf(const std::string& language)
-{
-  const auto entry =
-      std::find_if(dialect_entries.begin(), dialect_entries.end(), [&](const DialectEntry& one) { return language == one.word; });
-  return entry == dialect_entries.end() ? ControlKind::LinuxCNC : entry->control;
-}

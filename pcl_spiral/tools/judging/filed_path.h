@@ -37,6 +37,3 @@ void checkProgramFiles(const std::vector<std::string>& paths, const ProgramReadi
 
 /** \throw pcl_spiral::FileError */
 FiledPath readFiledPath(const std::string& file, const ProgramReading& reading);
-
-/** The control that reads a language, such as "siemens"; LinuxCNC for APT, which names none. */
-pcl_spiral::ControlKind controlOf(const std::string& language);

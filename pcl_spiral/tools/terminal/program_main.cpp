@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +16,8 @@
 #include <system_error>
 
 namespace {
+
+constexpr int failed_on_data = 1;
 
 /** Threads that have nothing to do sleep, if the user did not choose otherwise: spinning, they hold up those with work where other programs
  *  run. The OpenMP library reads this when it is loaded, before main: the program \p name starts again. Not under tools that run it
@@ -35,7 +38,7 @@ waitPassively(const std::string& name, char* const* argv)
 int
 codeOf(const std::string& name, const std::function<int()>& body)
 {
-  constexpr int failed_on_data = 1, bad_usage = 2;
+  constexpr int bad_usage = 2;
   try {
     return body();
   }
@@ -61,10 +64,12 @@ runProgram(const std::string& name, char* const* argv, const std::function<int()
   waitPassively(name, argv);
   catchSignals();
   const int code = codeOf(name, body);
+  const bool told = std::cout.flush() && std::fflush(stdout) == 0;
+  if (!told)
+    std::cerr << name << ": the standard output cannot be written\n";
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // these look for leaks in the end
-  std::cout.flush();
-  std::fflush(nullptr);
-  std::quick_exit(code); // static objects of VTK need tens of milliseconds to free what the system frees anyway
+  // Static objects of VTK need tens of milliseconds to free what the system frees anyway.
+  std::quick_exit(told ? code : std::max(code, failed_on_data));
 #endif
-  return code;
+  return told ? code : std::max(code, failed_on_data);
 }

@@ -25,12 +25,10 @@ playedPath(const VerifyJob& job, const JudgedPath& judged, const FiledPath& file
   input.cutter = job.settings.cutter;
   input.program = filed.path.program;
   input.machine = filed.path.program ? filed.path.program->program.machine : xyzacTrunnion();
-  if (judged.verification.program) {
+  if (judged.verification.program)
     input.lines = judged.verification.program->lines;
-    input.control = controlModel(controlOf(judged.verification.program->language), input.machine);
-  }
-  else
-    input.control = controlModel(ControlKind::LinuxCNC, input.machine);
+  const std::optional<ControlKind> control = filed.path.program ? filed.path.program->control : std::nullopt;
+  input.control = controlModel(control.value_or(ControlKind::LinuxCNC), input.machine);
   if (!filed.feed.empty() && filed.feed.front() > 0.0)
     input.feed = filed.feed.front();
   return input;

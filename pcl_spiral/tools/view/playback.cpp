@@ -20,7 +20,7 @@ playbackScene(const ViewJob& job, const ReferenceSurface& reference, const Judge
   if (filed.path.program) {
     const ProgramFigures& figures = *judged.verification.program;
     scene.lines = figures.lines;
-    scene.control = controlOf(figures.language);
+    scene.control = filed.path.program->control.value_or(scene.control);
     scene.program = std::move(filed.path.program);
     if (figures.leads.collided > 0)
       scene.stops.push_back({inWords(figures.faults.back()), 0, figures.leads.deepest.block});

@@ -107,6 +107,32 @@ TEST(Playback, APathIsPlayedAsTheProgramThatIsMadeOfIt)
   EXPECT_TRUE(time.lines.empty());
 }
 
+TEST(Playback, EveryPassOfAPathIsPlayed)
+{
+  PlaybackInput input;
+  const pcl::PointCloud<ToolpathPoint>& whole = *spiral().getPlan().path;
+  pcl::PointCloud<ToolpathPoint>::Ptr path(new pcl::PointCloud<ToolpathPoint>);
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (i % 400 > 360)
+      continue; // a way from pass to pass
+    path->push_back(whole[i]);
+    if (path->size() > 1) {
+      const ToolpathPoint& before = (*path)[path->size() - 2];
+      const double step = (whole[i].getVector3fMap() - before.getVector3fMap()).cast<double>().norm();
+      path->back().arc_length = before.arc_length + (i % 400 == 0 ? 0.0 : step);
+    }
+  }
+  ASSERT_GT(passBegins(*path).size(), 4U);
+  input.path = path;
+  input.cutter = CutterShape::ball(R);
+  input.machine = xyzacTrunnion();
+  input.control = controlModel(ControlKind::LinuxCNC, input.machine);
+  PlaybackTime time;
+  const Status status = playbackTime(input, time);
+  ASSERT_TRUE(status.ok()) << status.message();
+  expectOnThePath(input, time, 0.004);
+}
+
 TEST(Playback, AProgramIsPlayedLineByLineAndLeavesTheStockOfTheJudge)
 {
   ProgramPlanner planner;

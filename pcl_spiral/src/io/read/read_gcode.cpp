@@ -81,14 +81,19 @@ private:
     return {};
   }
 
-  /** The tolerance at corners: G64 P of LinuxCNC. */
+  /** The tolerance at corners of LinuxCNC: G64 P; none with G64 alone; G61 and G61.1 stop. */
   void takeTolerance()
   {
-    const std::vector<ProgramWord>& words = lines_.words();
-    const bool smooths = dialect_ == Dialect::LinuxCNC && std::any_of(words.begin(), words.end(), [](const ProgramWord& word) {
-                           return word.name == "G" && word.value == 64.0;
-                         });
-    for (const ProgramWord& word : words)
+    constexpr double none = 1000.0; // mm: more than any corner takes
+    if (dialect_ != Dialect::LinuxCNC)
+      return;
+    bool smooths = false;
+    for (const ProgramWord& word : lines_.words())
+      if (word.name == "G" && word.value && *word.value >= 61.0 && *word.value <= 64.0) {
+        smooths = *word.value == 64.0;
+        tolerance_ = smooths ? none : 0.0;
+      }
+    for (const ProgramWord& word : lines_.words())
       if (smooths && word.name == "P" && word.value)
         tolerance_ = *word.value * modes_.unit;
   }

@@ -231,7 +231,9 @@ Mover::measure(Watched& at)
 {
   NearPath& near = near_paths_[at.near];
   const CoverPlace place = tests_.place(at.test);
-  double least = near.runs.empty() ? 0.0 : 1e30;
+  if (near.runs.empty())
+    return; // it stays as far as it was measured
+  double least = 1e30;
   for (const PathRun& run : near.runs)
     for (std::size_t s = run.first; s < run.last; ++s) {
       double share = 0.0;
@@ -295,6 +297,8 @@ Mover::pull()
 {
   for (const std::uint32_t w : doubtful_) {
     const Watched& at = watched_[w];
+    if (near_paths_[at.near].runs.empty())
+      continue; // nothing is near enough to be moved there
     const double share = near_paths_[at.near].share;
     const std::size_t centre = at.segment + (share > 0.5 ? 1 : 0);
     if (isTaken(centre))
