@@ -199,7 +199,7 @@ TEST(DrivePath, RefusesWhatCannotBe)
   };
   refused(plate, kept(0.0, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "the cutter's radius is 0 mm");
   refused(plate, kept(nan, 0.01, DriveKind::Planes, DriveAxisMode::Fixed), "setScallopHeight");
-  refused(plate, kept(3.0, 3.0, DriveKind::Planes, DriveAxisMode::Fixed), "the height below the radius");
+  refused(plate, kept(3.0, 3.0, DriveKind::Planes, DriveAxisMode::Fixed), "the height above 0 and below the radius");
   refused(plate, kept(3.0, nan, DriveKind::Planes, DriveAxisMode::Fixed), "setScallopHeight");
   refused(plate, kept(3.0, 0.01, DriveKind::BoundaryOffset, DriveAxisMode::Fixed), "only section planes can keep rows");
   refused(plate, kept(3.0, 0.01, DriveKind::Planes, DriveAxisMode::Cylinder), "not to a cylinder");
