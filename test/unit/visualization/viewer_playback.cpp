@@ -115,6 +115,18 @@ TEST_F(ViewerPlayback, KeysMoveTheToolThroughTheProgram)
   EXPECT_EQ(session->choice.page, ViewerPage::Boundaries);
 }
 
+TEST_F(ViewerPlayback, ThePageGoesWithItsPlayback)
+{
+  session->press("6");
+  ASSERT_EQ(session->choice.page, ViewerPage::Playback) << session->message;
+  PlaybackScene other = session->player->scene();
+  session->setPlayback(other);
+  EXPECT_EQ(session->choice.page, ViewerPage::Stock);
+  session->show();
+  session->press("6");
+  EXPECT_EQ(session->choice.page, ViewerPage::Playback) << session->message;
+}
+
 TEST_F(ViewerPlayback, StockFallsAndTheBarLeadsThroughTheTime)
 {
   session->press("6");

@@ -47,6 +47,12 @@ clockText(double seconds)
   return formatted("%ld:%02ld:%04.1f", whole / 3600, whole / 60 % 60, seconds - static_cast<double>(whole / 60 * 60));
 }
 
+std::string
+stockWords(const std::string& fault)
+{
+  return fault.empty() ? "; the stock is being computed" : "; the stock could not be computed: " + fault;
+}
+
 void
 setWords(vtkTextActor* actor, int bottom)
 {
@@ -154,7 +160,7 @@ PlaybackPage::writeWords(const MotionFrame& frame)
            formatted("  %5.1f %% by %s  x%g  ", 100.0 * player_.share(), player_.byLength() ? "length" : "time", player_.speed()) +
            "block " + std::to_string(frame.block) + (time.lines.empty() ? "" : ", line " + std::to_string(time.lines[frame.block])) +
            formatted(", turn %.2f, %s", path[std::min(player_.moves(), path.size() - 1)].turn, nameOf(block)) +
-           (fallen_ ? "" : "; the stock is being computed");
+           (fallen_ ? "" : stockWords(player_.stockFault()));
   motion_ = formatted("feed %6.0f", frame.feed) + (frame.asked > 0.0 ? formatted(" of %6.0f mm/min", frame.asked) : " mm/min, rapid  ");
   if (!machine.three_axes)
     motion_ += formatted("   %c %9.3f  %c %9.3f deg", machine.rotary[0].letter, frame.angles.first * in_degrees, machine.rotary[1].letter,

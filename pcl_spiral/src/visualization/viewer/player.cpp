@@ -8,6 +8,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <exception>
+#include <new>
 
 namespace pcl_spiral {
 namespace {
@@ -43,12 +45,26 @@ Player::prepare()
   if (!status.ok())
     return *fault_;
   findSlow();
-  coming_ = std::async(std::launch::async, [this] {
-    StockFalls falls;
-    playbackStock(input_, scene_.left, removal_, falls);
-    return falls;
-  });
+  coming_ = std::async(std::launch::async, [this] { return computedStock(); });
   return *fault_;
+}
+
+/** Throws nothing: the loop of the window takes the result. */
+Player::Stock
+Player::computedStock() const
+try {
+  Stock stock;
+  if (const Status status = playbackStock(input_, scene_.left, removal_, stock.falls); status.ok())
+    stock.order.emplace(stock.falls);
+  else
+    stock.fault = status.message();
+  return stock;
+}
+catch (const std::bad_alloc&) {
+  return {"the memory is too small", {}, {}};
+}
+catch (const std::exception& error) {
+  return {error.what(), {}, {}};
 }
 
 void
@@ -201,7 +217,15 @@ Player::hasStock()
 {
   if (coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
     waitForStock();
-  return order_.has_value();
+  return stock_.order.has_value();
+}
+
+bool
+Player::hasNewStock()
+{
+  const bool awaited = coming_.valid();
+  hasStock();
+  return awaited && !coming_.valid();
 }
 
 void
@@ -209,9 +233,8 @@ Player::waitForStock()
 {
   if (!coming_.valid())
     return;
-  falls_ = coming_.get();
-  order_.emplace(falls_);
-  heights_.assign(falls_.places(), falls_.reach);
+  stock_ = coming_.get();
+  heights_.assign(stock_.falls.places(), stock_.falls.reach);
   fallen_ = 0;
 }
 
@@ -221,7 +244,7 @@ Player::fallTo(const std::function<void(std::size_t, float)>& changed)
   if (!hasStock())
     return;
   const std::size_t now = moves();
-  order_->update(falls_, fallen_, now, heights_, [&](std::size_t place) { changed(place, heights_[place]); });
+  stock_.order->update(stock_.falls, fallen_, now, heights_, [&](std::size_t place) { changed(place, heights_[place]); });
   fallen_ = now;
 }
 

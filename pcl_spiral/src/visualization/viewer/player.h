@@ -59,14 +59,23 @@ public:
   std::size_t moves() const { return movesAfter(time_, seconds_); }
   /** Whether the stock is known by now. */
   bool hasStock();
-  /** Whether it is known since the last fallTo. */
-  bool hasNewStock() { return !order_ && hasStock(); }
+  /** Whether it has become known with this call, or why there is none. */
+  bool hasNewStock();
   /** Waits until it is. */
   void waitForStock();
+  /** Why there is no stock; empty: there is, or it is being computed. */
+  const std::string& stockFault() const { return stock_.fault; }
   /** Lets the stock fall to what it is at this moment; calls \p changed(place, height). */
   void fallTo(const std::function<void(std::size_t, float)>& changed);
 
 private:
+  /** What is computed beside the playback. */
+  struct Stock {
+    std::string fault;
+    StockFalls falls;
+    std::optional<FallOrder> order; ///< absent: no stock
+  };
+  Stock computedStock() const;
   void findSlow();
   void stepRotation(bool on);
 
@@ -79,9 +88,8 @@ private:
   bool playing_ = false, by_length_ = false;
   std::vector<std::size_t> slow_; ///< blocks
   std::size_t next_slow_ = 0, next_warning_ = 0;
-  std::future<StockFalls> coming_;
-  StockFalls falls_;
-  std::optional<FallOrder> order_;
+  std::future<Stock> coming_;
+  Stock stock_;
   std::vector<float> heights_;
   std::size_t fallen_ = 0; ///< moves
 };

@@ -8,8 +8,13 @@ namespace pcl_spiral {
 void
 ViewerSession::setPlayback(PlaybackScene scene_of_playback)
 {
+  const bool open = choice.page == ViewerPage::Playback;
+  if (open)
+    choice.page = ViewerPage::Stock; // the page goes with its player
   playback.reset();
   player = std::make_unique<Player>(std::move(scene_of_playback), scene);
+  if (open)
+    show();
 }
 
 /** Shows the playback, if there is one. */
