@@ -2,7 +2,7 @@
 #include "actors.h"
 
 #include "value_style.h"
-#include <pcl_spiral/core/impl/tolerances.h>
+#include "verify/least_gouge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr Color gouge_color{0.84, 0.04, 0.07}, uncut_color{0.93, 0.16, 0.88}, ab
 } // namespace
 
 StockScale::StockScale(const VerificationScene& scene)
-: gouge_(std::max(scene.part.settings.chord_error, fit_deviations * scene.removal_figures.fit_noise)), limit_(scene.removal_figures.limit),
+: gouge_(leastGouge(scene.part.settings.chord_error, scene.removal_figures.fit_noise)), limit_(scene.removal_figures.limit),
   reach_(scene.removal_figures.reach * (1.0 - 1e-5)), colors_(colorScale(-gouge_, limit_))
 {}
 

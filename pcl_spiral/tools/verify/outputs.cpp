@@ -6,6 +6,7 @@
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
+#include "verify/least_gouge.h"
 #include "verify/scene_files.h"
 
 #include <pcl_spiral/io/file_error.h>
@@ -60,7 +61,7 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
       writeToolpath(files_.temporary(file), *judged.path, {job_.settings.cutter.radius, 0.0, judged.tips, {}, scanShift()},
                     {filed.feed, judged.heights.deviation, judged.heights.scallop});
     else if (extension == ".glb" || extension == ".gltf")
-      writeScene(files_.temporary(file), {stockMesh(surface, judged.heights.stock), judged.path, judged.verification.removal.limit});
+      writeScene(files_.temporary(file), cutScene(surface, judged));
     else if (extension == ".pvd")
       writeCutSeries(job_, surface, judged, filed, files_, file);
     file += filesOf(output).size();
@@ -68,6 +69,14 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
   if (!job_.stock.empty())
     append(stockMesh(surface, judged.heights.stock), left_);
   verifications_.push_back(judged.verification);
+}
+
+CutScene
+VerifyOutputs::cutScene(const ReferenceSurface& surface, const JudgedPath& judged) const
+{
+  const RemovalFigures& removal = judged.verification.removal;
+  return {stockMesh(surface, judged.heights.stock), judged.path, removal.limit, leastGouge(job_.settings.chord_error, removal.fit_noise),
+          scanShift()};
 }
 
 void

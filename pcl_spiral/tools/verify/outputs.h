@@ -8,6 +8,7 @@
 
 #include "io/report/scene_builder.h"
 #include <pcl_spiral/io/output_files.h>
+#include <pcl_spiral/io/scene_writer.h>
 #include <pcl_spiral/io/verification_writer.h>
 #include <pcl_spiral/planning/impl/path_judge.h>
 #include <pcl_spiral/verify/stock_mesh.h>
@@ -26,6 +27,7 @@ public:
   void finish(const pcl_spiral::Diagnostics& warnings);
 
 private:
+  pcl_spiral::CutScene cutScene(const pcl_spiral::ReferenceSurface& surface, const pcl_spiral::JudgedPath& judged) const;
   void addToScene(const pcl_spiral::JudgedInput& input, const pcl_spiral::JudgedPart& part, const pcl_spiral::JudgedPath& judged,
                   const std::vector<double>& feed, const std::optional<pcl_spiral::ProgramFile>& program);
 

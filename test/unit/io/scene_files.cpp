@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include <vtkCell.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkFieldData.h>
@@ -18,13 +20,14 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
 namespace scene_files_test {
 
 using namespace pcl_spiral;
-using namespace pcl_spiral::test;
 
 namespace {
 
@@ -42,6 +45,7 @@ strip()
   }
   scene.stock.triangles = {{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}};
   scene.limit = 0.025;
+  scene.gouge = 0.005;
   auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   for (int i = 0; i < 6; ++i) {
     ToolpathPoint point;
@@ -65,6 +69,37 @@ readGltf(const std::string& file)
     found.emplace_back(vtkPolyData::SafeDownCast(blocks->GetCurrentDataObject()));
   return found;
 }
+
+std::string
+bytesOf(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+/** The two chunks of a .glb. */
+struct Glb {
+  explicit Glb(const std::string& bytes)
+  {
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + 12, sizeof(length));
+    document = nlohmann::json::parse(bytes.substr(20, length));
+    data = bytes.substr(28 + length);
+  }
+  std::vector<float> values(std::size_t accessor, std::size_t width) const
+  {
+    const auto& described = document.at("accessors").at(accessor);
+    const auto& view = document.at("bufferViews").at(described.at("bufferView").get<std::size_t>());
+    std::vector<float> found(width * described.at("count").get<std::size_t>());
+    EXPECT_EQ(described.at("componentType"), 5126);
+    EXPECT_EQ(view.at("byteLength"), sizeof(float) * found.size());
+    std::memcpy(found.data(), data.data() + view.at("byteOffset").get<std::size_t>(), sizeof(float) * found.size());
+    return found;
+  }
+
+  nlohmann::json document;
+  std::string data;
+};
 
 Eigen::Vector3d
 inMillimetres(vtkPolyData* data, vtkIdType i)
@@ -110,10 +145,6 @@ TEST(SceneFiles, VtksReaderFindsPartPathAndStock)
 TEST(SceneFiles, TheSameSceneGivesTheSameBytesAndAnEmptyOneIsRefused)
 {
   const ScratchFolder folder;
-  const auto bytesOf = [](const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(in), {});
-  };
   writeScene(folder.path("a.glb"), strip());
   writeScene(folder.path("b.glb"), strip());
   const std::string a = bytesOf(folder.path("a.glb"));
@@ -125,6 +156,59 @@ TEST(SceneFiles, TheSameSceneGivesTheSameBytesAndAnEmptyOneIsRefused)
   CutScene still = strip();
   still.path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
   EXPECT_THROW(writeScene(folder.path("c.gltf"), still), FileError);
+}
+
+TEST(SceneFiles, TheStockHasItsHeightsAndColours)
+{
+  const ScratchFolder folder;
+  const CutScene scene = strip();
+  writeScene(folder.path("cut.glb"), scene);
+  const Glb glb(bytesOf(folder.path("cut.glb")));
+  const auto& attributes = glb.document.at("meshes").at(2).at("primitives").at(0).at("attributes");
+  EXPECT_EQ(glb.values(attributes.at("_STOCK"), 1), scene.stock.stock);
+  const std::vector<float> colors = glb.values(attributes.at("COLOR_0"), 3);
+  ASSERT_EQ(colors.size(), 18U);
+  const auto color = [&](std::size_t i) { return Eigen::Map<const Eigen::Vector3f>(&colors[3 * i]); };
+  EXPECT_GT(color(0).x(), 20.0f * color(0).y()) << "a gouge of 10 um is red";
+  EXPECT_LT(color(1).y(), color(2).y()) << "brighter with its height";
+  EXPECT_LT(color(2).y(), color(3).y());
+  EXPECT_EQ(color(4), color(5)) << "30 and 40 um are above the limit";
+  EXPECT_GT(color(4).x(), 3.0f * color(4).y());
+  EXPECT_NE(color(0), color(4));
+  CutScene tolerant = scene;
+  tolerant.gouge = 0.02;
+  writeScene(folder.path("tolerant.glb"), tolerant);
+  const Glb other(bytesOf(folder.path("tolerant.glb")));
+  const std::vector<float> milder =
+      other.values(other.document.at("meshes").at(2).at("primitives").at(0).at("attributes").at("COLOR_0"), 3);
+  EXPECT_LT(milder[0], milder[1]) << "10 um are no gouge where 20 um are allowed";
+}
+
+TEST(SceneFiles, PassesOfOnePointAreLeftOutAndAShiftIsNamed)
+{
+  const ScratchFolder folder;
+  CutScene scene = strip();
+  writeScene(folder.path("plain.glb"), scene);
+  EXPECT_FALSE(Glb(bytesOf(folder.path("plain.glb"))).document.at("asset").contains("extras"));
+  auto path = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(*scene.path);
+  ToolpathPoint alone;
+  alone.getVector3fMap() = Eigen::Vector3f(0.0f, 9.0f, 5.0f);
+  alone.arc_length = path->back().arc_length; // a lift to it
+  path->push_back(alone);
+  scene.path = path;
+  scene.shift = {393775000.0, 3689071000.0, 0.5};
+  writeScene(folder.path("cut.glb"), scene);
+  const auto document = Glb(bytesOf(folder.path("cut.glb"))).document;
+  EXPECT_EQ(document.at("asset").at("extras").at("shift_mm"), nlohmann::json({393775000.0, 3689071000.0, 0.5}));
+  const auto& line = document.at("meshes").at(1).at("primitives").at(0);
+  EXPECT_EQ(document.at("accessors").at(line.at("attributes").at("POSITION").get<std::size_t>()).at("count"), 6);
+  EXPECT_EQ(document.at("accessors").at(line.at("indices").get<std::size_t>()).at("count"), 8);
+  auto points = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
+  points->push_back((*scene.path)[0]);
+  points->push_back((*scene.path)[5]);
+  (*points)[1].arc_length = (*points)[0].arc_length;
+  scene.path = points;
+  EXPECT_THROW(writeScene(folder.path("points.glb"), scene), FileError);
 }
 
 TEST(SceneFiles, AMomentHasItsHeightsAndTheTool)

@@ -18,15 +18,19 @@ namespace pcl_spiral {
 
 /** The contents of a scene. Lengths in mm. */
 struct CutScene {
-  StockMesh stock;                               ///< stockMesh of what the path leaves
-  pcl::PointCloud<ToolpathPoint>::ConstPtr path; ///< contacts
-  double limit = 0.0;                            ///< RemovalFigures::limit: stock above it has a colour of its own
+  StockMesh stock;                                 ///< stockMesh of what the path leaves
+  pcl::PointCloud<ToolpathPoint>::ConstPtr path;   ///< contacts
+  double limit = 0.0;                              ///< RemovalFigures::limit: stock above it has a colour of its own
+  double gouge = 0.0;                              ///< so have gouges deeper than this
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< Scan::shift: what was taken from the places
 };
 
 /** Writes \p scene as glTF 2.0: .gltf, with its data inside, or .glb. Three nodes: "part", the surface without stock; "path", a line for
  *  each pass; "stock", the surface with its stock, coloured by it, with the height in mm as vertex attribute _STOCK. Lengths are in metres
- *  and y is up, as glTF asks. The same scene gives the same bytes. Not by VTK's exporter: that of Debian 12 needs a window and writes no
- *  .glb. \throw FileError, also for a surface without triangles or a path without points */
+ *  and y is up, as glTF asks. Places stay shifted, as they are in single precision: to be added to them is asset.extras.shift_mm, x y z of
+ *  the scan in mm, which is absent where nothing was shifted. Passes of one point are left out. The same scene gives the same bytes. Not
+ *  by VTK's exporter: that of Debian 12 needs a window and writes no .glb. \throw FileError, also for a surface without triangles or a path
+ *  without moves */
 void writeScene(const std::string& file, const CutScene& scene);
 
 /** One moment of a time series. */

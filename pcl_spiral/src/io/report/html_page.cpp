@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "html_page.h"
 
-#include "base64_text.h"
 #include "embedded_texts.h"
+#include "io/base64_text.h"
 #include "io/byte_file.h"
 
 #include "common/readable_text.h"

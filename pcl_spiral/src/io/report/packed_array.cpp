@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "packed_array.h"
 
-#include "base64_text.h"
+#include "io/base64_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/base64_text.h"
 #include "io/byte_file.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/io/file_error.h>
@@ -68,30 +69,15 @@ placeInGltf(const Eigen::Vector3f& p)
 
 /** From dark blue through green to yellow up to the limit; orange above it, red for gouges. Linear, as glTF wants vertex colours. */
 Eigen::Vector3f
-colorOfStock(float height, double limit)
+colorOfStock(float height, const CutScene& scene)
 {
-  if (height > limit)
+  if (height > scene.limit)
     return {1.0f, 0.26f, 0.0f};
-  if (height < -0.2 * limit)
+  if (height < -scene.gouge)
     return {0.67f, 0.0f, 0.01f};
-  const auto f = static_cast<float>(limit > 0.0 ? std::clamp(height / limit, 0.0, 1.0) : 0.0);
+  const double range = scene.limit + scene.gouge;
+  const auto f = static_cast<float>(range > 0.0 ? std::clamp((height + scene.gouge) / range, 0.0, 1.0) : 0.0);
   return {0.05f + 0.6f * f * f, 0.05f + 0.65f * f, 0.25f * (1.0f - f)};
-}
-
-std::string
-base64Of(const std::string& bytes)
-{
-  constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t all = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      all = all << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= count ? digits[all >> (18 - 6 * k) & 63u] : '=';
-  }
-  return text;
 }
 
 Json
@@ -103,15 +89,16 @@ materialOf(const char* name, double red, double green, double blue)
 }
 
 Json
-surfacePrimitives(const StockMesh& mesh, bool raised, double limit, GltfData& data)
+surfacePrimitives(const CutScene& scene, bool raised, GltfData& data)
 {
+  const StockMesh& mesh = scene.stock;
   std::vector<Eigen::Vector3f> places, normals, colors;
   std::vector<std::uint32_t> corners;
   for (std::size_t i = 0; i < mesh.places.size(); ++i) {
     const Eigen::Vector3f& n = mesh.normals[i];
     places.push_back(placeInGltf(raised ? mesh.places[i] : Eigen::Vector3f(mesh.places[i] - mesh.stock[i] * n)));
     normals.push_back(1e3f * placeInGltf(n.normalized()));
-    colors.push_back(colorOfStock(mesh.stock[i], limit));
+    colors.push_back(colorOfStock(mesh.stock[i], scene));
   }
   for (const Triangulation::Triangle& triangle : mesh.triangles)
     corners.insert(corners.end(), triangle.begin(), triangle.end());
@@ -124,18 +111,27 @@ surfacePrimitives(const StockMesh& mesh, bool raised, double limit, GltfData& da
       {{{"attributes", attributes}, {"indices", data.addIndices(corners)}, {"material", raised ? 2 : 0}, {"mode", triangles}}});
 }
 
+/** The passes that have moves. */
+std::vector<PassRange>
+movingPasses(const pcl::PointCloud<ToolpathPoint>& path)
+{
+  std::vector<PassRange> passes = passRanges(passBegins(path), path.size());
+  passes.erase(std::remove_if(passes.begin(), passes.end(), [](const PassRange& pass) { return pass.end < pass.begin + 2; }), passes.end());
+  return passes;
+}
+
 Json
 pathPrimitives(const pcl::PointCloud<ToolpathPoint>& path, GltfData& data)
 {
   std::vector<Eigen::Vector3f> places;
   std::vector<std::uint32_t> ends;
-  const std::vector<std::size_t> begins = passBegins(path);
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    places.push_back(placeInGltf(path[i].getVector3fMap()));
-    if (i > 0 && !beginsPass(begins, i))
-      for (const std::size_t end : {i - 1, i})
-        ends.push_back(static_cast<std::uint32_t>(end));
-  }
+  for (const PassRange& pass : movingPasses(path))
+    for (std::size_t i = pass.begin; i < pass.end; ++i) {
+      if (i > pass.begin)
+        for (const std::size_t end : {places.size() - 1, places.size()})
+          ends.push_back(static_cast<std::uint32_t>(end));
+      places.push_back(placeInGltf(path[i].getVector3fMap()));
+    }
   return Json::array({{{"attributes", {{"POSITION", data.addVectors(places, true)}}},
                        {"indices", data.addIndices(ends)},
                        {"material", 1},
@@ -146,13 +142,15 @@ Json
 documentOf(const CutScene& scene, GltfData& data)
 {
   Json document = {{"asset", {{"version", "2.0"}, {"generator", "pcl_spiral"}}}, {"scene", 0}};
+  if (!scene.shift.isZero())
+    document["asset"]["extras"]["shift_mm"] = {scene.shift.x(), scene.shift.y(), scene.shift.z()};
   document["scenes"] = Json::array({{{"nodes", {0, 1, 2}}}});
   document["nodes"] = Json::array({{{"name", "part"}, {"mesh", 0}}, {{"name", "path"}, {"mesh", 1}}, {{"name", "stock"}, {"mesh", 2}}});
   document["materials"] =
       Json::array({materialOf("part", 0.6, 0.65, 0.72), materialOf("path", 0.1, 0.3, 0.9), materialOf("stock", 1.0, 1.0, 1.0)});
-  document["meshes"] = Json::array({{{"name", "part"}, {"primitives", surfacePrimitives(scene.stock, false, scene.limit, data)}},
+  document["meshes"] = Json::array({{{"name", "part"}, {"primitives", surfacePrimitives(scene, false, data)}},
                                     {{"name", "path"}, {"primitives", pathPrimitives(*scene.path, data)}},
-                                    {{"name", "stock"}, {"primitives", surfacePrimitives(scene.stock, true, scene.limit, data)}}});
+                                    {{"name", "stock"}, {"primitives", surfacePrimitives(scene, true, data)}}});
   document["accessors"] = data.accessors();
   document["bufferViews"] = data.views();
   document["buffers"] = Json::array({{{"byteLength", data.bytes().size()}}});
@@ -176,7 +174,7 @@ writeScene(const std::string& file, const CutScene& scene)
 {
   if (scene.stock.triangles.empty())
     throw FileError(file, "not written: the surface has no triangles");
-  if (!scene.path || scene.path->size() < 2)
+  if (!scene.path || movingPasses(*scene.path).empty())
     throw FileError(file, "not written: the path has no moves");
   GltfData data;
   Json document = documentOf(scene, data);
@@ -190,7 +188,7 @@ writeScene(const std::string& file, const CutScene& scene)
     out.write(data.bytes());
   }
   else {
-    document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64Of(data.bytes());
+    document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(data.bytes().data(), data.bytes().size());
     out.write(document.dump() + "\n");
   }
   out.close();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Bytes as text of a page. Private to io.
+ *  Bytes as text. Private to io.
  */
 #pragma once
 
