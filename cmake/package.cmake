@@ -30,6 +30,9 @@ pcl_spiral_install(pcl_spiral_visualization visualization "Pictures and viewer o
 
 install(DIRECTORY pcl_spiral/include/pcl_spiral DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
+if(PCL_SPIRAL_THREE_JS) # it is within the library of io
+  install(FILES pcl_spiral/src/io/report/three_licence.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.three.js COMPONENT libraries)
+endif()
 install(DIRECTORY pcl_spiral/doc DESTINATION ${CMAKE_INSTALL_DOCDIR}/pcl_spiral # where README.md names its pages
         COMPONENT documentation)
 install(DIRECTORY examples/machines DESTINATION ${CMAKE_INSTALL_DATADIR}/pcl_spiral COMPONENT programs)

@@ -36,6 +36,9 @@ check_tree() { # PREFIX
   done
   diff -r "$source/examples/machines" "$1/share/pcl_spiral/machines" || fail "other machine files in $1"
   cmp "$source/LICENSE" "$1/share/doc/pcl_spiral/LICENSE" || fail "no licence in $1"
+  if [ -e /usr/share/javascript/three/three.min.js ]; then
+    grep -q 'three.js authors' "$1/share/doc/pcl_spiral/LICENSE.three.js" || fail "no licence of three.js in $1"
+  fi
   for link in $(grep -oE '\]\([a-z_/]+\.(md|png)\)' "$1/share/doc/pcl_spiral/README.md" | tr -d '()]'); do
     [ -e "$1/share/doc/pcl_spiral/$link" ] || fail "README.md names $link, which is not in $1"
   done

@@ -9,7 +9,7 @@ namespace pcl_spiral {
 extern const char* const scene_markup;  ///< scene.html
 extern const char* const scene_style;   ///< scene.css
 extern const char* const scene_script;  ///< scene.js
-extern const char* const three_licence; ///< three_licence.html
+extern const char* const three_licence; ///< three_licence.txt
 extern const char* const three_script;  ///< three.min.js; empty: it was not there when the build was configured
 
 } // namespace pcl_spiral

@@ -29,7 +29,7 @@ addScene(const ReportScene* scene, HtmlPage& page)
     page.addText(note);
   page.addMarkup(scene_markup);
   page.addMarkup("<script type=\"application/json\" id=\"scene-data\">" + sceneJson(*scene) + "</script>\n");
-  page.addMarkup(three_licence);
+  page.addMarkup(std::string("<!--\n") + three_licence + "-->\n");
   page.addMarkup(scriptElement(three_script));
   page.addMarkup(scriptElement(scene_script));
 }
