@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a page gets of part and path: numbers come back within their rounding, and what is thinned stays as near as is said.
 #include "io/report/packed_array.h"
+#include "io/report/scene_builder.h"
 #include "io/report/scene_frames.h"
 #include "io/report/scene_json.h"
 #include "io/report/scene_part.h"
@@ -263,6 +264,30 @@ TEST(SceneData, AProgramIsAtEachPointOfItsPathWhenItIsReached)
   for (const SceneFrame& frame : frames)
     if (frame.move == SceneMove::Cut)
       EXPECT_LT((frame.contact + radius * Vector3d::UnitZ() - radius * frame.axis - frame.tip).norm(), 1.5 * spacing) << frame.number;
+}
+
+TEST(SceneData, TurnsAndPassesAreCountedFromOne)
+{
+  auto rows = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
+  auto turns = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>();
+  for (int i = 0; i < 300; ++i) {
+    ToolpathPoint point;
+    point.getVector3fMap() = Eigen::Vector3f(static_cast<float>(i % 100), static_cast<float>(i / 100), 0.0f);
+    point.getNormalVector3fMap() = Eigen::Vector3f::UnitZ();
+    point.arc_length = i;
+    point.turn = static_cast<float>(i / 100);
+    rows->push_back(point);
+    point.turn = 0.12f * static_cast<float>(i); // 35.88 at the end
+    turns->push_back(point);
+  }
+  const auto countsOf = [](const ShownPath& path) {
+    SceneBuilder builder(CutterShape::ball(3.0), {});
+    builder.addPath(path);
+    const auto json = nlohmann::json::parse(sceneJson(*builder.build()));
+    return std::make_pair(json.at("turnWord").get<std::string>(), json.at("turns").get<int>());
+  };
+  EXPECT_EQ(countsOf({rows, {}, {100, 200}, 1000.0, {}, {}}), std::make_pair(std::string("Pass"), 3));
+  EXPECT_EQ(countsOf({turns, {}, {}, 1000.0, {}, {}}), std::make_pair(std::string("Turn"), 36));
 }
 
 TEST(SceneData, StandsInAPage)

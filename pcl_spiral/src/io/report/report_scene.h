@@ -33,7 +33,7 @@ struct SceneFrame {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();   ///< unit, from the tip to the shank
   Eigen::Vector3d contact = Eigen::Vector3d::Zero(); ///< of the cutter with the part; the tip where it is not known
   double length = 0.0;                               ///< cut up to here
-  double feed = 0.0;                                 ///< at the contact, mm/min; 0: a rapid, or not known
+  double feed = 0.0;                                 ///< mm/min, see ReportScene::feed_word; 0: a rapid, or not known
   double turn = 0.0;                                 ///< or number of the pass
   RotaryAngles angles;                               ///< of a program, radians
   std::size_t number = 0;                            ///< of the line or block of a program; 0: not known
@@ -57,6 +57,7 @@ struct ReportScene {
   SceneScale deviation, stock;                        ///< what the colours show
   double uncut = 0.0;                                 ///< height of the stock before the cut
   std::string turn_word = "Turn";                     ///< what SceneFrame::turn counts
+  std::string feed_word = "Feed of the contact";      ///< what SceneFrame::feed is where it cuts; elsewhere it is that of the tip
   std::string number_word = "Line";                   ///< what SceneFrame::number is of
   std::string rotary_letters;                         ///< of a program: two, or none
   std::vector<std::string> notes;                     ///< sentences above the scene: what is thinned, what is not shown

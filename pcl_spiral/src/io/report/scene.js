@@ -205,9 +205,10 @@ function showFigures(pose) {
   rows.push(["Time", clock(now) + " of " + clock(lastTime)]);
   rows.push(["Length", (pose.value(length) / 1000).toFixed(3) + " m"]);
   if (feed)
-    rows.push(["Feed", feed[to] > 0 ? feed[to].toFixed(0) + " mm/min" : move[to] === 0 ? "not known" : "rapid"]);
+    rows.push([move[to] === 0 ? data.feedWord : "Feed of the tip",
+               feed[to] > 0 ? feed[to].toFixed(0) + " mm/min" : move[to] === 0 ? "not known" : "rapid"]);
   if (data.turns > 0)
-    rows.push([data.turnWord, Math.floor(turn[to]) + (data.turnWord === "Turn" ? 0 : 1) + " of " + data.turns]);
+    rows.push([data.turnWord, Math.min(data.turns, Math.floor(turn[to]) + 1) + " of " + data.turns]);
   if (number && number[to] > 0)
     rows.push([data.numberWord, number[to]]);
   if (angles)
@@ -235,9 +236,23 @@ function look(towards) {
   draw();
 }
 
-/** Moves the camera so that it sees the whole part, in the middle. */
+/** The ends of the tool at the start, of a long one as much as the part is wide; nothing of a tool far from the part. */
+function toolEnds() {
+  const sphere = part.geometry.boundingSphere, pose = poseAt(0);
+  if (pose.tip.distanceTo(sphere.center) > 3 * sphere.radius)
+    return [];
+  const top = Math.max(...data.tool.map(solid => Math.max(...solid.profile.map(p => p[1]))));
+  const shown = Math.min(top, 2 * sphere.radius);
+  return [...pose.tip.toArray(), ...pose.tip.clone().addScaledVector(pose.axis, shown).toArray()];
+}
+
+/** Moves the camera so that it sees the whole part, and the tool at the start, in the middle. */
 function showAll() {
-  const places = part.geometry.attributes.position.array, high = Math.tan(0.5 * camera.fov * Math.PI / 180);
+  const corners = part.geometry.attributes.position.array, ends = toolEnds();
+  const places = new Float32Array(corners.length + ends.length);
+  places.set(corners);
+  places.set(ends, corners.length);
+  const high = Math.tan(0.5 * camera.fov * Math.PI / 180);
   for (let round = 0; round < 3; ++round) { // what is near looks larger: the middle depends on the distance
     placeCamera();
     const [right, up, back] = [0, 1, 2].map(k => new THREE.Vector3().setFromMatrixColumn(camera.matrix, k)), p = new THREE.Vector3();
@@ -251,7 +266,7 @@ function showAll() {
       });
     }
     view.target.addScaledVector(right, 0.5 * (low[0] + most[0]) * view.distance).addScaledVector(up, 0.5 * (low[1] + most[1]) * view.distance);
-    view.distance = 1.25 * distance; // with room for the tool
+    view.distance = 1.1 * distance;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "common/formatted_text.h"
 #include "planning/playback.h"
+#include "verify/least_gouge.h"
 #include <pcl_spiral/core/impl/tolerances.h>
 
 #include <algorithm>
@@ -14,12 +15,25 @@ namespace pcl_spiral {
 namespace {
 
 constexpr std::size_t most_places = 60000, most_frames = 80000; // about 8 MB together
+constexpr const char* feed_of_program = "Feed of the tip";      // its text has no contacts
 
 void
 widen(const SceneScale& by, SceneScale& scale)
 {
   scale.low = std::min(scale.low, by.low);
   scale.high = std::max(scale.high, by.high);
+}
+
+/** Whether the turns of \p path are numbers of passes: they are whole but where passes are linked. */
+bool
+countsPasses(const pcl::PointCloud<ToolpathPoint>& path)
+{
+  std::size_t whole = 0, later = 0;
+  for (const ToolpathPoint& point : path) {
+    whole += point.turn == std::floor(point.turn);
+    later += point.turn >= 1.0f;
+  }
+  return later > 0 && 2 * whole > path.size();
 }
 
 } // namespace
@@ -45,8 +59,18 @@ SceneBuilder::addFaces(const SurfaceMesh& mesh, const Heights* judged)
 }
 
 void
+SceneBuilder::takeTurns(const pcl::PointCloud<ToolpathPoint>& path)
+{
+  if (countsPasses(path))
+    setTurnWord("Pass");
+}
+
+void
 SceneBuilder::addPath(const ShownPath& path, const std::vector<std::size_t>& lines)
 {
+  takeTurns(*path.points);
+  if (!lines.empty())
+    scene_.feed_word = feed_of_program;
   std::vector<SceneFrame> frames = framesOf(path, scene_.cutter);
   if (!frames.empty() && !(frames.back().feed > 0.0))
     scene_.notes = {formatted("No feed is known: the times of the scene are those at %g mm/min.", feed_if_none)};
@@ -71,6 +95,7 @@ SceneBuilder::addPath(const ShownPath& path, const std::vector<std::size_t>& lin
 void
 SceneBuilder::setProgram(const ShownProgram& program, const ShownPath& path)
 {
+  takeTurns(*path.points);
   scene_.frames = framesOf(program, path);
   *path_ = *path.points;
   tips_ = path.tips;
@@ -99,6 +124,7 @@ SceneBuilder::addProgram(const ProgramFile& program, const ProgramFigures& judge
   for (std::size_t b = 0; b < time.track.blocks(); ++b)
     shown.ends.push_back(time.track.endOf(b));
   setProgram(shown, path);
+  scene_.feed_word = feed_of_program;
 }
 
 void
@@ -107,7 +133,7 @@ SceneBuilder::addFigures(const Verification& judged, double chord_error)
   const double known = fit_deviations * judged.deviation.fit_noise;
   const double shown = std::max(2.0 * judged.deviation.p99, known);
   widen({-shown, shown}, scene_.deviation);
-  widen({-std::max(chord_error, known), judged.removal.limit}, scene_.stock);
+  widen({-leastGouge(chord_error, judged.deviation.fit_noise), judged.removal.limit}, scene_.stock);
   judged_.limit = std::max(judged_.limit, judged.removal.limit);
   judged_.reach = std::max(judged_.reach, judged.removal.reach);
   scene_.uncut = judged_.reach;

@@ -39,6 +39,7 @@ public:
   std::shared_ptr<const ReportScene> build();
 
 private:
+  void takeTurns(const pcl::PointCloud<ToolpathPoint>& path);
   void thin();
   void findOutward();
 

@@ -46,13 +46,14 @@ plainSeconds(const ProgramBlock& from, const ProgramBlock& block)
   return (block.tip - from.tip).norm() / usual_rapid;
 }
 
+/** Of the contact where it cuts and the length of its path is known, else of the tip, mm/min. */
 double
 feedOf(const ProgramBlock& from, const ProgramBlock& block)
 {
   if (!(block.minutes > 0.0))
     return 0.0;
   const double grown = block.arc_length - from.arc_length;
-  return (grown > 0.0 ? grown : (block.tip - from.tip).norm()) / block.minutes;
+  return (block.section == BlockSection::Cut && grown > 0.0 ? grown : (block.tip - from.tip).norm()) / block.minutes;
 }
 
 /** The frame between \p a and \p b at the time of \p frame: how far its tip is from there, or as far as its axis leans, at \p arm mm. */

@@ -153,6 +153,17 @@ scaleJson(const SceneScale& scale)
   return scale.high > scale.low ? Json{{"low", scale.low}, {"high", scale.high}} : Json();
 }
 
+/** How many turns or passes there are. The page counts them from 1; the last turn need not be whole. */
+std::size_t
+turnsOf(const ReportScene& scene)
+{
+  constexpr double hardly_begun = 1e-3; // of a turn
+  double turns = 0.0;
+  for (const SceneFrame& frame : scene.frames)
+    turns = std::max(turns, frame.turn);
+  return static_cast<std::size_t>(scene.turn_word == "Turn" ? std::ceil(turns - hardly_begun) : std::floor(turns) + 1.0);
+}
+
 std::string
 inHtml(const std::string& json)
 {
@@ -176,9 +187,6 @@ sceneJson(const ReportScene& scene)
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3f& p : scene.part.places)
     box.extend(p.cast<double>());
-  double turns = 0.0;
-  for (const SceneFrame& frame : scene.frames)
-    turns = std::max(turns, frame.turn);
   Json json;
   json["outward"] = {scene.outward.x(), scene.outward.y(), scene.outward.z()};
   json["spacing"] = spacingOf(scene);
@@ -186,7 +194,8 @@ sceneJson(const ReportScene& scene)
   json["scales"] = {{"stock", scaleJson(scene.stock)}, {"deviation", scaleJson(scene.deviation)}};
   json["turnWord"] = scene.turn_word;
   json["numberWord"] = scene.number_word;
-  json["turns"] = static_cast<std::size_t>(std::floor(turns)) + (scene.turn_word == "Turn" ? 0 : 1);
+  json["feedWord"] = scene.feed_word;
+  json["turns"] = turnsOf(scene);
   for (const char letter : scene.rotary_letters)
     json["rotary"].push_back(std::string(1, letter));
   json["tool"] = toolSolids(scene, box.isEmpty() ? 1.0 : box.diagonal().norm());
