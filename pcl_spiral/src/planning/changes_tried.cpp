@@ -66,40 +66,60 @@ isClear(const SpiralPlan& plan)
   return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= gougeTolerance(s.chord_error, plan.report.noise);
 }
 
-/** How far the points of \p cloud about \p place are apart, mm, by the distance of the eighth of them. */
-double
-spacingAt(const pcl::PointCloud<pcl::PointXYZ>& cloud, const Eigen::Vector3d& place)
+/** What of a cloud is about a place. */
+struct Neighbourhood {
+  double spacing = 0.0;   ///< mm, by the distance of the eighth point; 0 of fewer
+  bool is_within = false; ///< the eight points are not all on one side
+};
+
+Neighbourhood
+aboutPlace(const pcl::PointCloud<pcl::PointXYZ>& cloud, const Eigen::Vector3d& place)
 {
   constexpr std::size_t few = 8;
-  std::vector<double> squared;
-  for (const pcl::PointXYZ& p : cloud)
-    if (pcl::isFinite(p))
-      squared.push_back((p.getVector3fMap().cast<double>() - place).squaredNorm());
+  constexpr double one_side = 0.9; // length of the mean direction: of directions within 50 degrees of one
+  std::vector<std::pair<double, std::size_t>> squared;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (pcl::isFinite(cloud[i]))
+      squared.emplace_back((cloud[i].getVector3fMap().cast<double>() - place).squaredNorm(), i);
   if (squared.size() < few)
-    return 0.0;
+    return {};
   std::nth_element(squared.begin(), squared.begin() + (few - 1), squared.end());
-  return evenSpacing(std::sqrt(squared[few - 1]), static_cast<int>(few));
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < few; ++k)
+    sum += (cloud[squared[k].second].getVector3fMap().cast<double>() - place).normalized();
+  return {evenSpacing(std::sqrt(squared[few - 1].first), static_cast<int>(few)), sum.norm() < one_side * static_cast<double>(few)};
 }
 
-/** What another scan has to show, by the first place of what was \p said, and what of the choice of the part is in the way. */
+/** The usual distance between points of \p cloud, mm: the median over some of them. */
+double
+usualSpacing(const pcl::PointCloud<pcl::PointXYZ>& cloud)
+{
+  constexpr std::size_t looked_at = 32;
+  std::vector<double> spacings;
+  for (std::size_t k = 0; k < looked_at; ++k)
+    if (const pcl::PointXYZ& p = cloud[k * cloud.size() / looked_at]; pcl::isFinite(p))
+      spacings.push_back(aboutPlace(cloud, p.getVector3fMap().cast<double>()).spacing);
+  if (spacings.empty())
+    return 0.0;
+  std::nth_element(spacings.begin(), spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2), spacings.end());
+  return spacings[spacings.size() / 2];
+}
+
+/** Where the scan has fewer points than elsewhere, if the first place of what was \p said is such a place; else nothing: then it is not
+ *  the scan that keeps the path from being made. */
 Diagnostic
 lackOf(const PlanInput& input, const Diagnostic& said)
 {
-  Diagnostic lack = ". What the {scan} lacks: {scan it again, more densely}";
-  if (!said.places().empty()) {
-    const Eigen::Vector3d place = said.places().front();
-    lack = Diagnostic(". What the {scan} lacks is at ", Place(place));
-    if (!input.mesh && input.cloud)
-      lack += Diagnostic(", where its points lie ", spacingAt(*input.cloud, place), " {mm} apart");
-    lack += ": {scan it again, more densely}";
-  }
-  if (!input.mesh)
-    lack += ", or from another side";
-  if (!input.choice.keep_outs.empty())
-    lack += ", or give smaller keep-outs ({addKeepOut})";
-  if (input.choice.crop || input.choice.crop_box)
-    lack += Diagnostic(", or another crop (", input.choice.crop ? "{setCrop}" : "{setCropBox}", ")");
-  return lack;
+  constexpr double sparse = 1.5; // times the usual spacing: on a straight rim, with half of the points about, it is sqrt(2) times
+  if (said.places().empty() || input.mesh || !input.cloud || input.cloud->empty())
+    return {};
+  const Eigen::Vector3d place = said.places().front();
+  const Neighbourhood there = aboutPlace(*input.cloud, place);
+  const double usual = usualSpacing(*input.cloud);
+  if (!(there.spacing > sparse * usual) || !there.is_within)
+    return {};
+  return Diagnostic(". What the {scan} lacks is at ", Place(place), ", where its points lie ", there.spacing, " {mm} apart, ", usual,
+                    " {mm} elsewhere: {scan it again, more densely}, or from another side");
 }
 
 /** A search through changes, first each alone, then two together. */
@@ -124,8 +144,10 @@ public:
         return ". Of single changes that were tried, none gives a path, but two together give " + *found;
     if (stopped_)
       return ". The search for a change that gives a path was stopped";
-    const Diagnostic lack = lackOf(input_, refused.status.diagnostic());
-    return alone.empty() ? lack : ". Of changes that were tried, none gives a path: " + alone + lack;
+    Diagnostic tried = alone.empty() ? Diagnostic() : ". Of changes that were tried, none gives a path: " + alone;
+    if (spent_)
+      return tried + Diagnostic("; others were not tried ({setRemedyTries})");
+    return tried + lackOf(input_, refused.status.diagnostic());
   }
 
 private:
@@ -139,7 +161,8 @@ private:
   std::optional<Diagnostic> tryEach(const PlanInput& input, const Refused& refused, const Diagnostic* before)
   {
     for (SingleChange& change : singleChanges(input, refused)) {
-      if (stopped_ || !(*left_ > 0.0))
+      spent_ = spent_ || !(*left_ > 0.0);
+      if (stopped_ || spent_)
         return std::nullopt;
       change.input.kept_surface = change.keeps_surface ? surface_ : nullptr;
       change.input.paths_left = left_;
@@ -175,6 +198,7 @@ private:
   std::shared_ptr<double> left_;               ///< PlanInput::paths_left
   std::size_t tried_ = 0;                      ///< changes
   bool stopped_ = false;                       ///< by the progress callback
+  bool spent_ = false;                         ///< a change was not tried, because PlanInput::remedy_tries paths were made
 };
 
 } // namespace
