@@ -183,7 +183,7 @@ TEST_F(ReportScene, OfASpiralPlaysItsProgramAndItsVerificationTheProgramAgain)
   const Json seen = expectScene("a.html");
   EXPECT_EQ(colouringsOf(seen), all_colours);
   const std::string figures = seen["figures"][1];
-  for (const char* words : {"Time ", " of ", "Length ", "Feed 1000 mm/min", "Turn ", "C ", "A "})
+  for (const char* words : {"Time ", " of ", "Length ", "Feed of the contact 1000 mm/min", "Turn ", "C ", "A "})
     EXPECT_NE(figures.find(words), std::string::npos) << words << " in " << figures;
 
   call = {"cap.xyz", "a.ngc", "--machine", xyzac, "-o", "v.html"};
@@ -192,7 +192,7 @@ TEST_F(ReportScene, OfASpiralPlaysItsProgramAndItsVerificationTheProgramAgain)
   const Json judged = expectScene("v.html");
   EXPECT_EQ(colouringsOf(judged), all_colours);
   const std::string read = judged["figures"][1];
-  for (const char* words : {"Line ", "C ", "A "})
+  for (const char* words : {"Line ", "Feed of the tip ", "C ", "A "})
     EXPECT_NE(read.find(words), std::string::npos) << words << " in " << read;
 }
 
