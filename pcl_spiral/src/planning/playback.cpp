@@ -145,7 +145,8 @@ movesAfter(const PlaybackTime& time, double seconds)
 }
 
 Status
-playbackStock(const PlaybackInput& input, const StockMesh& mesh, const RemovalFigures& judged, StockFalls& falls)
+playbackStock(const PlaybackInput& input, const StockMesh& mesh, const RemovalFigures& judged, StockFalls& falls,
+              const std::function<bool(double)>& progress)
 {
   CutterPath path;
   std::unique_ptr<CutterSweep> sweep;
@@ -156,7 +157,7 @@ playbackStock(const PlaybackInput& input, const StockMesh& mesh, const RemovalFi
   StockFallSettings settings;
   settings.reach = judged.reach;
   settings.shallow = std::max(settings.shallow, least_shallow * judged.limit);
-  falls = stockFalls(mesh, *sweep, settings);
+  falls = stockFalls(mesh, *sweep, settings, progress);
   return Status::success();
 }
 

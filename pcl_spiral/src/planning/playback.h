@@ -11,6 +11,7 @@
 #include <pcl_spiral/planning/impl/path_judge.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -43,7 +44,8 @@ Status playbackTime(const PlaybackInput& input, PlaybackTime& time);
 /** How many moves of the path are complete after \p seconds. */
 std::size_t movesAfter(const PlaybackTime& time, double seconds);
 
-/** The falls of the stock over \p mesh, that of \p judged, along its path. */
-Status playbackStock(const PlaybackInput& input, const StockMesh& mesh, const RemovalFigures& judged, StockFalls& falls);
+/** The falls of the stock over \p mesh, that of \p judged, along its path. \p progress: see stockFalls; when it cancels, there are none. */
+Status playbackStock(const PlaybackInput& input, const StockMesh& mesh, const RemovalFigures& judged, StockFalls& falls,
+                     const std::function<bool(double)>& progress = {});
 
 } // namespace pcl_spiral

@@ -33,7 +33,10 @@ Player::Player(PlaybackScene scene, const VerificationScene& judged) : scene_(st
   input_.control = controlModel(scene_.control, input_.machine);
 }
 
-Player::~Player() = default; // waits for the stock
+Player::~Player()
+{
+  closing_ = true; // coming_ waits for its thread
+}
 
 std::string
 Player::prepare()
@@ -54,10 +57,11 @@ Player::Stock
 Player::computedStock() const
 try {
   Stock stock;
-  if (const Status status = playbackStock(input_, scene_.left, removal_, stock.falls); status.ok())
-    stock.order.emplace(stock.falls);
-  else
+  const auto wanted = [this](double) { return !closing_; };
+  if (const Status status = playbackStock(input_, scene_.left, removal_, stock.falls, wanted); !status.ok())
     stock.fault = status.message();
+  else if (!closing_)
+    stock.order.emplace(stock.falls);
   return stock;
 }
 catch (const std::bad_alloc&) {

@@ -7,6 +7,7 @@
 #include "planning/playback.h"
 #include <pcl_spiral/visualization/spiral_viewer.h>
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <future>
@@ -88,6 +89,7 @@ private:
   bool playing_ = false, by_length_ = false;
   std::vector<std::size_t> slow_; ///< blocks
   std::size_t next_slow_ = 0, next_warning_ = 0;
+  std::atomic<bool> closing_{false}; ///< the stock is no longer wanted
   std::future<Stock> coming_;
   Stock stock_;
   std::vector<float> heights_;
