@@ -82,7 +82,10 @@ StockPatches::addPatch(const std::vector<Cell>& cells, std::vector<std::uint32_t
     }
     corners->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
-  Patch patch{vtkSmartPointer<vtkPolyData>::New(), vtkSmartPointer<vtkFloatArray>::New(), vtkSmartPointer<vtkUnsignedCharArray>::New()};
+  Patch patch;
+  patch.data = vtkSmartPointer<vtkPolyData>::New();
+  patch.places = vtkSmartPointer<vtkFloatArray>::New();
+  patch.colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
   vtkNew<vtkFloatArray> normals;
   for (vtkFloatArray* const array : {patch.places.Get(), normals.Get()}) {
     array->SetNumberOfComponents(3);
