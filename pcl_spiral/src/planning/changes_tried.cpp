@@ -110,7 +110,7 @@ usualSpacing(const pcl::PointCloud<pcl::PointXYZ>& cloud)
 Diagnostic
 lackOf(const PlanInput& input, const Diagnostic& said)
 {
-  constexpr double sparse = 1.5; // times the usual spacing: on a straight rim, with half of the points about, it is sqrt(2) times
+  constexpr double sparse = 2.0; // times the usual spacing: at a right corner of an even scan, with a quarter of the points about
   if (said.places().empty() || input.mesh || !input.cloud || input.cloud->empty())
     return {};
   const Eigen::Vector3d place = said.places().front();
