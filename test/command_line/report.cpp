@@ -3,6 +3,8 @@
 #include "cap_scan.h"
 #include "run_program.h"
 
+#include "support/base64_bytes.h"
+
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 #include <gtest/gtest.h>
@@ -20,29 +22,11 @@ namespace report_test {
 
 namespace {
 
+using pcl_spiral::test::decoded;
 using Arguments = std::vector<std::string>;
 using Tree = boost::property_tree::ptree;
 
 const std::string awkward = "ca<p> & \"1\" 'x'"; // a name with special characters of HTML
-
-std::string
-decoded(const std::string& base64)
-{
-  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned int bits = 0;
-  int count = 0;
-  for (const char c : base64) {
-    const std::size_t value = letters.find(c);
-    if (value == std::string::npos)
-      break;
-    bits = bits << 6 | static_cast<unsigned int>(value);
-    count += 6;
-    if (count >= 8)
-      bytes += static_cast<char>(bits >> (count -= 8) & 0xFF);
-  }
-  return bytes;
-}
 
 /** The parts of a report. */
 struct Page {

@@ -8,6 +8,8 @@
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/planning/pass_plan.h>
 
+#include "support/base64_bytes.h"
+
 #include <gtest/gtest.h>
 #include <pcl/PolygonMesh.h>
 #include <pcl/conversions.h>
@@ -28,25 +30,7 @@ namespace {
 
 using namespace pcl_spiral;
 using Eigen::Vector3d;
-
-std::string
-decoded(const std::string& base64)
-{
-  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned int bits = 0;
-  int count = 0;
-  for (const char c : base64) {
-    const std::size_t value = letters.find(c);
-    if (value == std::string::npos)
-      break;
-    bits = bits << 6 | static_cast<unsigned int>(value);
-    count += 6;
-    if (count >= 8)
-      bytes += static_cast<char>(bits >> (count -= 8) & 0xFF);
-  }
-  return bytes;
-}
+using pcl_spiral::test::decoded;
 
 /** What the script of the page makes of a packed array. */
 std::vector<double>

@@ -106,11 +106,7 @@ writeDriveReportHTML(const std::string& file, const ReportPage& page, const RunF
   html.addPart("Run");
   addSettings(html, files, run);
   addPassTimes(html, plan);
-  if (!page.command.empty()) {
-    html.addHeading("Made by");
-    html.addCode(page.command);
-  }
-  html.write(file, page.made);
+  html.write(file, page);
 }
 
 } // namespace pcl_spiral

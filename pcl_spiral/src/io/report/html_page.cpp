@@ -148,11 +148,15 @@ HtmlPage::addPicture(const ReportPicture& picture)
 }
 
 void
-HtmlPage::write(const std::string& file, const std::string& foot)
+HtmlPage::write(const std::string& file, const ReportPage& page)
 {
+  if (!page.command.empty()) {
+    addHeading("Made by");
+    addCode(page.command);
+  }
   ByteFile out(file);
   out.write(body_);
-  out.write("<p class=\"foot\">" + escaped(foot) + "</p>\n</body>\n</html>\n");
+  out.write("<p class=\"foot\">" + escaped(page.made) + "</p>\n</body>\n</html>\n");
   out.close();
 }
 

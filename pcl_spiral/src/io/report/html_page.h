@@ -41,8 +41,8 @@ public:
   /** \throw FileError if the picture cannot be read */
   void addPicture(const ReportPicture& picture);
 
-  /** \throw FileError */
-  void write(const std::string& file, const std::string& foot);
+  /** Ends the page with the command, if there is one, and the foot of \p page. \throw FileError */
+  void write(const std::string& file, const ReportPage& page);
 
 private:
   std::string body_;

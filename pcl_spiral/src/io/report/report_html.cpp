@@ -314,11 +314,7 @@ writeReportHTML(const std::string& file, const ReportPage& page, const RunFiles&
   html.addPart("Run");
   addSettings(html, files, settings);
   addTimes(html, report, run.verification ? &*run.verification : nullptr);
-  if (!page.command.empty()) {
-    html.addHeading("Made by");
-    html.addCode(page.command);
-  }
-  html.write(file, page.made);
+  html.write(file, page);
 }
 
 } // namespace pcl_spiral

@@ -54,11 +54,7 @@ writeRidgeReportHTML(const std::string& file, const ReportPage& page, const RunF
   addPassProgram(html, run);
   html.addPart("Run");
   addPassTimes(html, plan);
-  if (!page.command.empty()) {
-    html.addHeading("Made by");
-    html.addCode(page.command);
-  }
-  html.write(file, page.made);
+  html.write(file, page);
 }
 
 } // namespace pcl_spiral

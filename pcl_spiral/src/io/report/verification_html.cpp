@@ -253,11 +253,7 @@ writeVerificationHTML(const std::string& file, const ReportPage& page, const Ver
     html.addHeading("Warnings from reading the " + part);
     html.addList(textsOf(run.warnings, run.words));
   }
-  if (!page.command.empty()) {
-    html.addHeading("Made by");
-    html.addCode(page.command);
-  }
-  html.write(file, page.made);
+  html.write(file, page);
 }
 
 } // namespace pcl_spiral
