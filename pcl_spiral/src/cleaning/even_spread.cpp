@@ -6,6 +6,8 @@
 #include "search/all_neighbourhoods.h"
 #include "search/own_frame.h"
 
+#include <pcl_spiral/core/impl/angles.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <omp.h>
@@ -41,18 +43,50 @@ struct Spread {
   /** Go on with only some of the points. */
   void keep(const std::vector<std::uint8_t>& kept)
   {
-    std::vector<Eigen::Vector3f> points;
+    std::vector<Eigen::Vector3f> points, gone;
     std::vector<std::uint32_t> from;
     for (std::size_t i = 0; i < blocks.size(); ++i)
       if (kept[i]) {
         points.push_back(blocks.point(i));
-        from.push_back(source[i]);
+        from.push_back(static_cast<std::uint32_t>(i));
       }
+      else
+        gone.push_back(blocks.point(i));
+    if (gone.empty())
+      return;
+    const std::vector<SpreadShape> before = std::move(shapes);
+    const std::vector<std::uint32_t> source_before = std::move(source);
     blocks = PointBlocks(std::move(points));
     source.resize(from.size());
-    for (std::size_t i = 0; i < from.size(); ++i)
-      source[i] = from[blocks.originalIndex(i)];
-    measure();
+    shapes.resize(from.size());
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      source[i] = source_before[from[blocks.originalIndex(i)]];
+      shapes[i] = before[from[blocks.originalIndex(i)]];
+    }
+    if (gone.size() < few_gone * from.size())
+      measureNear(PointBlocks(std::move(gone)));
+    else
+      measure();
+  }
+
+private:
+  static constexpr double few_gone = 0.01; // of the points: then most neighbourhoods stay, and to tell which takes less than to measure all
+
+  /** Measure again the points that had one of \p gone among their neighbours. */
+  void measureNear(const PointBlocks& gone)
+  {
+    const float whole = 1.001f * std::sqrt(static_cast<float>(SpreadShape::neighbours) / static_cast<float>(pi));
+#pragma omp parallel
+    {
+      NeighbourSearch search(blocks, SpreadShape::neighbours);
+#pragma omp for schedule(dynamic, 64)
+      for (std::int64_t b = 0; b < static_cast<std::int64_t>(blocks.blockCount()); ++b) {
+        search.setRun(blocks.blockBox(b));
+        for (std::size_t i = blocks.blockBegin(b); i < blocks.blockEnd(b); ++i)
+          if ((gone.point(gone.nearest(blocks.position(i))) - blocks.point(i)).norm() <= whole * shapes[i].spacing)
+            shapes[i] = spreadShape(search.find(blocks.position(i)));
+      }
+    }
   }
 };
 

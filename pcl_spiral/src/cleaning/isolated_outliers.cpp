@@ -31,24 +31,78 @@ originalIndices(const SurfaceGraph& graph, const std::vector<std::uint8_t>& kept
   return out;
 }
 
-/** Whether the point where boundary half-edge \p h begins is farther than \p far spacings from all points that it shares a triangle
- *  with. The spacing is the least of these points': its own, and that of another tip, are too large. False if one of them is above
- *  \p sparse. */
-bool
-isTip(const SurfaceGraph& graph, std::uint32_t h, double far, double sparse = std::numeric_limits<double>::max())
+/** The points that share a triangle with \p v. */
+std::vector<std::uint32_t>
+sharing(const Triangulation& mesh, std::uint32_t v)
 {
-  const Triangulation& mesh = graph.triangulation();
-  const std::uint32_t v = mesh.origin(h);
-  double nearest = std::numeric_limits<double>::max(), spacing = nearest;
-  for (std::uint32_t k = mesh.outgoingBegin(v); k < mesh.outgoingBegin(v + 1); ++k)
-    for (const std::uint32_t other : {mesh.target(mesh.outgoing(k)), mesh.origin(Triangulation::previous(mesh.outgoing(k)))}) {
-      if (graph.spacing(other) > sparse)
-        return false;
-      nearest = std::min(nearest, (graph.position(other) - graph.position(v)).norm());
-      spacing = std::min(spacing, graph.spacing(other));
-    }
-  return nearest > far * spacing;
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t k = mesh.outgoingBegin(v); k < mesh.outgoingBegin(v + 1); ++k) {
+    others.push_back(mesh.target(mesh.outgoing(k)));
+    others.push_back(mesh.origin(Triangulation::previous(mesh.outgoing(k))));
+  }
+  return others;
 }
+
+bool
+isOnBoundary(const Triangulation& mesh, std::uint32_t v)
+{
+  for (std::uint32_t k = mesh.outgoingBegin(v); k < mesh.outgoingBegin(v + 1); ++k)
+    if (mesh.opposite(mesh.outgoing(k)) == Triangulation::none)
+      return true;
+  return false;
+}
+
+/** Whether \p v is farther than \p far spacings from all of \p others. The spacing is the least of theirs: that of \p v, and of another
+ *  tip, are too large. */
+bool
+isFar(const SurfaceGraph& graph, std::uint32_t v, const std::vector<std::uint32_t>& others, double far)
+{
+  double nearest = std::numeric_limits<double>::max(), spacing = nearest;
+  for (const std::uint32_t other : others) {
+    nearest = std::min(nearest, (graph.position(other) - graph.position(v)).norm());
+    spacing = std::min(spacing, graph.spacing(other));
+  }
+  return others.empty() || nearest > far * spacing;
+}
+
+/** Walks over the sparse points that triangles join to each other. */
+class SparseGroups {
+public:
+  SparseGroups(const SurfaceGraph& graph, const std::vector<std::uint8_t>& dense) : graph_(graph), dense_(dense), seen_(dense) {}
+
+  /** The group of sparse point \p v, if it was in none before and hangs on dense points, all of them farther than \p far spacings; no
+   *  point otherwise, and if sparse points surround one of them: then it is a sparser part of the surface. */
+  std::vector<std::uint32_t> hanging(std::uint32_t v, double far)
+  {
+    std::vector<std::uint32_t> group;
+    bool is_surface = false, hangs = false;
+    join(v, group);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      std::vector<std::uint32_t> beside;
+      for (const std::uint32_t other : sharing(graph_.triangulation(), group[i]))
+        if (dense_[other])
+          beside.push_back(other);
+        else
+          join(other, group);
+      hangs = hangs || !beside.empty();
+      const bool surrounded = beside.empty() && !isOnBoundary(graph_.triangulation(), group[i]);
+      is_surface = is_surface || surrounded || !isFar(graph_, group[i], beside, far);
+    }
+    return hangs && !is_surface ? group : std::vector<std::uint32_t>();
+  }
+
+private:
+  void join(std::uint32_t v, std::vector<std::uint32_t>& group)
+  {
+    if (!seen_[v])
+      group.push_back(v);
+    seen_[v] = 1;
+  }
+
+  const SurfaceGraph& graph_;
+  const std::vector<std::uint8_t>& dense_;
+  std::vector<std::uint8_t> seen_;
+};
 
 } // namespace
 
@@ -61,8 +115,8 @@ isolatedOutliers(const SurfaceGraph& graph)
   std::vector<std::uint8_t> kept(graph.size(), 0);
   markLargeParts(mesh, least_share, kept);
   for (std::uint32_t h = 0; h < mesh.halfEdgeCount(); ++h)
-    if (mesh.opposite(h) == Triangulation::none && isTip(graph, h, far))
-      kept[mesh.origin(h)] = 0;
+    if (const std::uint32_t v = mesh.origin(h); mesh.opposite(h) == Triangulation::none && isFar(graph, v, sharing(mesh, v), far))
+      kept[v] = 0;
   return originalIndices(graph, kept);
 }
 
@@ -79,11 +133,12 @@ sparseClusters(const SurfaceGraph& graph)
   if (std::find(kept.begin(), kept.end(), 0) == kept.end())
     return {};
   const std::vector<std::uint8_t> dense = kept;
-  const Triangulation& mesh = graph.triangulation();
-  markLargeParts(mesh, least_share, kept);
-  for (std::uint32_t h = 0; h < mesh.halfEdgeCount(); ++h)
-    if (!dense[mesh.origin(h)] && mesh.opposite(h) == Triangulation::none && isTip(graph, h, spike, far))
-      kept[mesh.origin(h)] = 0;
+  markLargeParts(graph.triangulation(), least_share, kept);
+  SparseGroups groups(graph, dense);
+  for (std::uint32_t v = 0; v < graph.size(); ++v)
+    if (!dense[v])
+      for (const std::uint32_t loose : groups.hanging(v, spike))
+        kept[loose] = 0;
   return originalIndices(graph, kept);
 }
 

@@ -13,22 +13,36 @@ namespace {
 
 constexpr double thin = 0.1; // second principal moment of a line, over the first
 
-/** Whether the point and its \p count nearest neighbours lie along a line: the second principal moment is far below the
- *  first. This holds for at most one in ten of evenly spread random points. */
-bool
-isLine(const Neighbourhood& near, int count)
-{
+/** Sums over a point and its nearest neighbours. */
+struct LineMoments {
   Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int j = 0; j <= count; ++j) {
-    const Eigen::Vector3d d(near.x[j], near.y[j], near.z[j]);
-    sum += d;
-    moment += d * d.transpose();
+  int points = 0;
+
+  void addUpTo(const Neighbourhood& near, int count)
+  {
+    for (; points <= count; ++points) {
+      const Eigen::Vector3d d(near.x[points], near.y[points], near.z[points]);
+      sum += d;
+      moment += d * d.transpose();
+    }
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(moment - sum * sum.transpose() / (count + 1), Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[1] < thin * solver.eigenvalues()[2];
-}
+
+  /** Whether they lie along a line: the second principal moment is far below the first. This holds for at most one in ten of evenly
+   *  spread random points. */
+  bool areLine() const
+  {
+    const Eigen::Matrix3d about = moment - sum * sum.transpose() / points;
+    // The second invariant over the square of the trace grows with both lesser moments.
+    constexpr double most = thin * (2.0 + thin) / ((1.0 + 2.0 * thin) * (1.0 + 2.0 * thin));
+    const double trace = about.trace();
+    if (trace * trace - about.squaredNorm() > 2.0 * most * trace * trace)
+      return false;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(about, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues()[1] < thin * solver.eigenvalues()[2];
+  }
+};
 
 /** Whether the neighbours lie neither in a plane nor on a line, or the point lies off their plane or line. */
 bool
@@ -68,9 +82,14 @@ spreadShape(const Neighbourhood& near)
   shape.near = distance(8);
   shape.is_double = distance(1) < nearly_one_place * shape.spacing;
   shape.line_step = 0.0f;
-  for (const int count : counts)
-    if (!shape.is_off && near.size > count && isLine(near, count))
+  LineMoments moments;
+  for (const int count : counts) {
+    if (shape.is_off || near.size <= count)
+      break;
+    moments.addUpTo(near, count);
+    if (moments.areLine())
       shape.line_step = std::max(shape.line_step, 2.0f * distance(count) / static_cast<float>(count));
+  }
   return shape;
 }
 

@@ -49,6 +49,14 @@ isNear(const PointBlocks& points, const Eigen::Vector3d& place, double distance)
   return points.size() > 0 && (points.position(points.nearest(place)) - place).norm() <= distance;
 }
 
+/** By how much a patch of half the width \p widest may be nearer to a place at \p distance than its foot is. */
+double
+nearerBy(double distance, double widest)
+{
+  const double sideways = 1.5 * widest;
+  return std::min(sideways, sideways * sideways / (2.0 * distance));
+}
+
 } // namespace
 
 double
@@ -238,9 +246,10 @@ BallReach::findUnreached()
   const auto size = static_cast<std::int64_t>(graph_.size());
   std::vector<float> reaches(graph_.size());
   std::vector<std::uint8_t> covered(graph_.size());
+  const std::vector<std::uint8_t> empty = emptyBalls();
 #pragma omp parallel for schedule(dynamic, 1024)
   for (std::int64_t i = 0; i < size; ++i) {
-    reaches[i] = static_cast<float>(reach(position(i), normal(i)));
+    reaches[i] = static_cast<float>(empty[patches_.place[i]] ? radius_ : reach(position(i), normal(i)));
     covered[i] = isCovered(i);
   }
   const auto whole = static_cast<float>(radius_);
@@ -254,6 +263,23 @@ BallReach::findUnreached()
       places.push_back(patches().feet.point(patches().place[i]));
     }
   unreached_feet_ = PointBlocks(std::move(places));
+}
+
+std::vector<std::uint8_t>
+BallReach::emptyBalls() const
+{
+  constexpr double float_error = 1e-6; // of the radius: more than the rounding of a depth
+  const double within = radius_ - tolerance_;
+  std::vector<Eigen::Vector3f> normals;
+  std::vector<float> depths;
+  normals.reserve(patches_.patches.size());
+  depths.reserve(patches_.patches.size());
+  for (const Patch& patch : patches_.patches) {
+    const double far = within + nearerBy(within, patch.extent);
+    normals.push_back(patch.normal);
+    depths.push_back(static_cast<float>((radius_ * radius_ - far * far) / (2.0 * radius_) - float_error * radius_));
+  }
+  return emptySpheres(patches_.feet, normals, radius_, depths);
 }
 
 bool
@@ -299,11 +325,7 @@ BallReach::nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::V
   const Eigen::Vector3f query = from.cast<float>();
   double best = within;
   bool found = false;
-  const auto reachOfPoints = [&] { // a patch is nearer than its point by this at most
-    const double sideways = 1.5 * all.widest;
-    return best + std::min(sideways, sideways * sideways / (2.0 * best));
-  };
-  double far = reachOfPoints();
+  double far = best + nearerBy(best, all.widest);
   all.feet.forBlocks([&](const Box& box) { return box.squaredDistance(query.data()) <= static_cast<float>(far * far); },
                      [&](std::size_t block) {
                        for (std::size_t i = all.feet.blockBegin(block); i < all.feet.blockEnd(block); ++i) {
@@ -314,7 +336,7 @@ BallReach::nearestOnSurface(const Eigen::Vector3d& from, double within, Eigen::V
                          if (distance >= best || (own && distance >= own_within && (on - *own).squaredNorm() < own_ * own_))
                            continue;
                          best = distance;
-                         far = reachOfPoints();
+                         far = best + nearerBy(best, all.widest);
                          point = on;
                          found = true;
                        }

@@ -153,6 +153,47 @@ TEST(StrayRemoval, TakesAnEchoBeyondEachEndOfAColumn)
   }
 }
 
+/** Two to four outliers beyond the rim of a dense scan hang on it in long triangles that they share. */
+TEST(StrayRemoval, TakesEchoesThatHangTogetherOnARim)
+{
+  constexpr int dense = 60000;
+  for (const std::uint32_t seed : {1u, 2u, 3u, 6u, 11u}) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+    pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+    while (cloud->size() < dense) {
+      const float x = 40.0f * unit(random), y = 40.0f * unit(random);
+      if (x * x + y * y <= 1600.0f)
+        cloud->push_back({x, y, std::sqrt(1e4f - x * x - y * y) - 100.0f});
+    }
+    const float angle = static_cast<float>(M_PI) * unit(random);
+    for (std::uint32_t i = 0; i < 2 + seed % 3; ++i)
+      cloud->push_back(
+          {41.0f * std::cos(angle) + 1.5f * unit(random), 41.0f * std::sin(angle) + 1.5f * unit(random), -14.0f + 3.0f * unit(random)});
+    StrayRemoval<pcl::PointXYZ> removal;
+    const pcl::Indices stay = kept(removal, cloud);
+    ASSERT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
+    EXPECT_EQ(std::count_if(stay.begin(), stay.end(), [](auto i) { return i >= dense; }), 0) << "seed " << seed;
+    EXPECT_GE(stay.size(), dense - 5U);
+  }
+}
+
+/** A part that was scanned eight times as coarsely along its rim, three points wide, keeps these points. */
+TEST(StrayRemoval, KeepsASparserRim)
+{
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (int i = -150; i <= 150; ++i)
+    for (int k = -150; k <= 150; ++k)
+      cloud->push_back({0.2f * static_cast<float>(i), 0.2f * static_cast<float>(k), 0.0f});
+  const auto inside = static_cast<pcl::index_t>(cloud->size());
+  for (int row = 1; row <= 3; ++row)
+    for (int k = -18; k <= 18; ++k)
+      cloud->push_back({30.0f + 1.6f * static_cast<float>(row), 1.6f * static_cast<float>(k), 0.0f});
+  StrayRemoval<pcl::PointXYZ> removal;
+  const pcl::Indices stay = kept(removal, cloud);
+  EXPECT_EQ(std::count_if(stay.begin(), stay.end(), [&](auto i) { return i >= inside; }), 3 * 37);
+}
+
 /** Outliers are single; ten points within 4 mm are an object. */
 TEST(StrayRemoval, GroupsStayWhereAsked)
 {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The largest ball that reaches a place, and where a larger one rests, against parts in closed form.
+#include "surface/empty_spheres.h"
+
 #include "support/tight_parts.h"
 
 #include <pcl_spiral/surface/impl/ball_reach.h>
@@ -264,6 +266,50 @@ TEST(BallReach, CountsAllPointsCutOffAtTheEdgeOfARoof)
           compare(slope, fillet, noise, ball);
   }
   EXPECT_GT(most, 30u);
+}
+
+/** Against every pair of points. */
+TEST(BallReach, KnowsWhichSpheresAreEmpty)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> side(-30.0, 30.0), lean(-0.05, 0.05), noise(-0.02, 0.02);
+  std::vector<Eigen::Vector3f> places;
+  for (int i = 0; i < 3000; ++i) {
+    const double x = side(random), y = side(random);
+    places.push_back(Vector3d(x, y, 2.0 * std::sin(0.2 * x) * std::cos(0.15 * y) + noise(random)).cast<float>());
+  }
+  const PointBlocks points(places);
+  std::vector<Eigen::Vector3f> normals;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector3d p = points.position(i);
+    normals.push_back(Vector3d(lean(random) - 0.4 * std::cos(0.2 * p.x()) * std::cos(0.15 * p.y()),
+                               lean(random) + 0.3 * std::sin(0.2 * p.x()) * std::sin(0.15 * p.y()), 1.0)
+                          .normalized()
+                          .cast<float>());
+  }
+  std::uniform_real_distribution<float> asked(0.0f, 0.1f);
+  for (const double radius : {3.0, 12.0, 18.0})
+    for (const float least : {-0.001f, 0.02f, 0.1f}) {
+      std::vector<float> depths;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        depths.push_back(least + asked(random) * static_cast<float>(radius));
+      const std::vector<std::uint8_t> empty = emptySpheres(points, normals, radius, depths);
+      std::size_t share = 0;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector3d centre = points.position(i) + radius * normals[i].cast<double>();
+        double deepest = -radius; // over what is asked
+        for (std::size_t k = 0; k < points.size(); ++k)
+          deepest = std::max(deepest, 0.5 * (radius - (points.position(k) - centre).squaredNorm() / radius) - depths[k]);
+        share += empty[i];
+        if (empty[i])
+          EXPECT_LE(deepest, 1e-5 * radius);
+        else
+          EXPECT_GE(deepest, -1e-5 * radius);
+      }
+      EXPECT_GT(share, 0u) << "radius " << radius << ", at least " << least;
+      if (least < 0.1f)
+        EXPECT_LT(share, points.size()) << "radius " << radius << ", at least " << least;
+    }
 }
 
 TEST(BallReach, IsTheSameForAnyNumberOfThreads)

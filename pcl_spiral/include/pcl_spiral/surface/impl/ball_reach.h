@@ -122,6 +122,8 @@ private:
   Patches fitPatches(const std::vector<SurfacePatch>& beyond, std::vector<float>& heights) const;
   static Patch patchOf(const SurfaceFoot& foot, double extent);
   void findUnreached();
+  /** For each foot, whether the ball there is so far from all feet, by the widths of their patches, that none is in it. */
+  std::vector<std::uint8_t> emptyBalls() const;
   void averageNormals();
   /** Adds patches in the voids about unreached points in which a ball would sink by more than the tolerance between the patches. */
   void coverVoids();
