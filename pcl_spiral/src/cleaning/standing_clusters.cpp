@@ -309,9 +309,9 @@ clustersText(const std::vector<StandingCluster>& clusters, double spacing)
   Diagnostic list = Diagnostic(count, count == 1 ? " cluster of points stands" : " clusters of points stand", " off the surface: ");
   for (std::size_t i = 0; i < std::min(count, most_named); ++i) {
     const Eigen::AlignedBox3d box = boxOf(clusters[i]);
-    list += Diagnostic(i > 0 ? ", " : "", clusters[i].indices.size(), " points at ", Place(clusters[i].place), ", ", clusters[i].size,
-                       " {mm} across and ", clusters[i].height, " {mm} high, from ", Place(box.min() - aside), " to ",
-                       Place(box.max() + aside));
+    list +=
+        Diagnostic(i > 0 ? ", " : "", clusters[i].indices.size(), " points at ", Place(clusters[i].place), ", ", clusters[i].size,
+                   " {mm} across and ", clusters[i].height, " {mm} high, ", Proposed("addKeepOut", box.min() - aside, box.max() + aside));
   }
   if (count > most_named)
     list += Diagnostic(" and ", count - most_named, " more");

@@ -93,14 +93,15 @@ thingsInTheWay(const pcl::PointCloud<ToolpathPoint>& path, double radius, const 
 }
 
 Diagnostic
-thingsText(const std::vector<ThingInTheWay>& things)
+thingsText(const std::vector<ThingInTheWay>& things, bool to_keep_out)
 {
   constexpr std::size_t most_named = 4;
   Diagnostic list = Diagnostic(things.size(), things.size() == 1 ? " thing stands in the way: " : " things stand in the way: ");
   for (std::size_t i = 0; i < std::min(things.size(), most_named); ++i) {
     const Eigen::Vector3d size = things[i].box.sizes();
-    list += Diagnostic(i > 0 ? "; " : "", "from ", Place(things[i].box.min()), " to ", Place(things[i].box.max()), ", ", size.x(), " by ",
-                       size.y(), " {mm}");
+    const Extents extents{things[i].box.min(), things[i].box.max()};
+    list += Diagnostic(i > 0 ? "; " : "", to_keep_out ? Diagnostic(Proposed("addKeepOut", extents)) : Diagnostic(extents), ", ", size.x(),
+                       " by ", size.y(), " {mm}");
   }
   if (things.size() > most_named)
     list += Diagnostic("; and ", things.size() - most_named, " more");

@@ -30,6 +30,6 @@ std::vector<ThingInTheWay> thingsInTheWay(const pcl::PointCloud<ToolpathPoint>& 
                                           const std::vector<Eigen::Vector3f>& points, double allowed, double link);
 
 /** "1 thing stands in the way: from (0, 0, 0) to (10, 12, 8), 10 by 12 mm"; the deepest few, and how many more. */
-Diagnostic thingsText(const std::vector<ThingInTheWay>& things);
+Diagnostic thingsText(const std::vector<ThingInTheWay>& things, bool to_keep_out);
 
 } // namespace pcl_spiral

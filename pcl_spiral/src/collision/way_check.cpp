@@ -43,8 +43,8 @@ lessTilt(const Path& path, const WayTool& tool, IsFree isFree)
 Diagnostic
 remedyOf(const std::vector<ThingInTheWay>& things, bool of_mesh)
 {
-  return thingsText(things) + (of_mesh ? ": take a smaller tool ({setToolRadius}), or leave that part out of the mesh"
-                                       : ": keep out of each with a polygon that covers it ({addKeepOut})");
+  return thingsText(things, !of_mesh) + (of_mesh ? ": take a smaller tool ({setToolRadius}), or leave that part out of the mesh"
+                                                 : ": keep out of each with a polygon that covers it ({addKeepOut})");
 }
 
 /** What may help where a polygon would cover too much. */
@@ -72,8 +72,10 @@ checkKeepOuts(const Path& path, const WayTool& tool, const Surroundings& around,
 {
   if (const auto entry = deepestEntry(path, ballCentres(path, tool.radius), tool.radius, around.keep_outs)) {
     blocked = BlockedWay{BlockedBy::KeepOut, std::max(more * entry->depth, least * tool.spacing), entry->depth > beyond * tool.spacing};
-    const Diagnostic fault = Diagnostic("the ball enters a keep-out by ", entry->depth, " {mm} at ", Place(entry->place));
-    if (cutsPartIn(around.keep_outs, path))
+    const bool cuts_part = cutsPartIn(around.keep_outs, path);
+    const Diagnostic depth = cuts_part ? Diagnostic(entry->depth) : Diagnostic(Proposed("addKeepOut", entry->depth));
+    const Diagnostic fault("the ball enters a keep-out by ", depth, " {mm} at ", Place(entry->place));
+    if (cuts_part)
       return {StatusCode::InvalidInput, Diagnostic(fault, ": points of the part are in the keep-out; leave them out: {PartRegion} "
                                                           "gives the indices of those that can be cut")};
     return {StatusCode::Failed, Diagnostic(fault, ": enlarge the polygon there by that much ({addKeepOut})")};
@@ -87,9 +89,9 @@ checkKeepOuts(const Path& path, const WayTool& tool, const Surroundings& around,
     return Status::success();
   const BallEntry cut = *deepest(path);
   blocked = BlockedWay{BlockedBy::KeptOut, 0.0, false};
-  return {StatusCode::Failed,
-          Diagnostic("the shank, taken as ", shank_radii, " radii long, would cut ", cut.depth, " {mm} into what stands in a keep-out, at ",
-                     Place(cut.place), ": enlarge the polygon there by that much ({addKeepOut})", lessTilt(path, tool, isFree))};
+  return {StatusCode::Failed, Diagnostic("the shank, taken as ", shank_radii, " radii long, would cut ", Proposed("addKeepOut", cut.depth),
+                                         " {mm} into what stands in a keep-out, at ", Place(cut.place),
+                                         ": enlarge the polygon there by that much ({addKeepOut})", lessTilt(path, tool, isFree))};
 }
 
 /** Refuses what is in the way beside the part, and warns of single points there. */

@@ -106,7 +106,7 @@ Diagnostic::add(const char* words)
   std::string plain;
   const auto end = [&] {
     if (!plain.empty())
-      parts_.push_back({Kind::Words, std::move(plain), Eigen::Vector3d::Zero()});
+      parts_.push_back({Kind::Words, std::move(plain)});
     plain.clear();
   };
   for (const char* at = words; *at != '\0'; ++at) {
@@ -114,7 +114,7 @@ Diagnostic::add(const char* words)
     const char* const close = *at == '{' && !doubled ? std::strchr(at, '}') : nullptr;
     if (close != nullptr) {
       end();
-      parts_.push_back({Kind::Field, std::string(at + 1, close), Eigen::Vector3d::Zero()});
+      parts_.push_back({Kind::Field, std::string(at + 1, close)});
       at = close;
     }
     else {
@@ -129,7 +129,7 @@ void
 Diagnostic::add(const std::string& name)
 {
   if (!name.empty())
-    parts_.push_back({Kind::Name, name, Eigen::Vector3d::Zero()});
+    parts_.push_back({Kind::Name, name});
 }
 
 void
@@ -164,6 +164,47 @@ Diagnostic::addNumber(std::string digits, double value)
   parts_.push_back({Kind::Number, std::move(digits), Eigen::Vector3d(value, 0.0, 0.0)});
 }
 
+void
+Diagnostic::addValue(const Proposed& of_setting, bool is_given)
+{
+  if (const auto* number = std::get_if<double>(&of_setting.value))
+    add(*number);
+  else if (const auto* place = std::get_if<Eigen::Vector3d>(&of_setting.value))
+    parts_.push_back({Kind::Place, {}, *place});
+  else if (const auto* box = std::get_if<Extents>(&of_setting.value))
+    add(*box);
+  else
+    parts_.push_back({Kind::Words, std::get<std::string>(of_setting.value)});
+  parts_.back().setting = of_setting.setting;
+  parts_.back().is_given = is_given;
+}
+
+template <typename Value>
+std::vector<Value>
+Diagnostic::valuesOf(bool are_given) const
+{
+  std::vector<Value> all;
+  for (const Part& part : parts_)
+    if (!part.setting.empty() && part.is_given == are_given)
+      all.emplace_back(part.setting, valueOf(part));
+  return all;
+}
+
+Proposed::Value
+Diagnostic::valueOf(const Part& part)
+{
+  switch (part.kind) {
+  case Kind::Number:
+    return part.value.x();
+  case Kind::Place:
+    return part.value;
+  case Kind::Box:
+    return Extents{part.value, part.high};
+  default:
+    return part.text;
+  }
+}
+
 Diagnostic
 Diagnostic::renamed(const std::string& from, const std::string& to) const
 {
@@ -179,9 +220,11 @@ Diagnostic
 Diagnostic::renamed(const std::map<std::string, std::string>& fields) const
 {
   Diagnostic other = *this;
-  for (Part& part : other.parts_)
-    if (const auto found = fields.find(part.text); part.kind == Kind::Field && found != fields.end())
-      part.text = found->second;
+  for (Part& part : other.parts_) {
+    std::string& name = part.kind == Kind::Field ? part.text : part.setting;
+    if (const auto found = fields.find(name); found != fields.end())
+      name = found->second;
+  }
   other.text_ = other.text(Vocabulary());
   return other;
 }
@@ -196,32 +239,47 @@ Diagnostic::operator+=(const Diagnostic& other)
 }
 
 std::string
+Diagnostic::shown(const Part& part, const Vocabulary& vocabulary) const
+{
+  const auto place = [&](const Eigen::Vector3d& at) { return vocabulary.place ? vocabulary.place(at) : placeText(at); };
+  if (part.is_given && vocabulary.given)
+    return vocabulary.given(valueOf(part));
+  switch (part.kind) {
+  case Kind::Place:
+    return place(part.value);
+  case Kind::Direction:
+    return placeText(part.value);
+  case Kind::Box:
+    return "from " + place(part.value) + " to " + place(part.high);
+  default:
+    return part.text;
+  }
+}
+
+std::string
 Diagnostic::text(const Vocabulary& vocabulary) const
 {
   BracketedText all;
+  const auto name = [&](const std::string& field) {
+    if (const auto named = vocabulary.words.find(field); named != vocabulary.words.end())
+      all.value(named->second);
+    else if (!vocabulary.has_setters && isSetting(field))
+      all.nameless(field);
+    else
+      all.value(field);
+  };
   for (const Part& part : parts_)
-    switch (part.kind) {
-    case Kind::Words:
-      all.words(part.text);
-      break;
-    case Kind::Name:
-    case Kind::Number:
-      all.value(part.text);
-      break;
-    case Kind::Place:
-      all.value(vocabulary.place ? vocabulary.place(part.value) : placeText(part.value));
-      break;
-    case Kind::Direction:
-      all.value(placeText(part.value));
-      break;
-    case Kind::Field:
-      if (const auto named = vocabulary.words.find(part.text); named != vocabulary.words.end())
-        all.value(named->second);
-      else if (!vocabulary.has_setters && isSetting(part.text))
-        all.nameless(part.text);
-      else
-        all.value(part.text);
+    if (part.kind == Kind::Field)
+      name(part.text);
+    else if (part.is_given) {
+      name(part.setting);
+      all.value(all.text().back() == '=' ? "" : " "); // keywords of scripts end so
+      all.value(shown(part, vocabulary));
     }
+    else if (part.kind == Kind::Words)
+      all.words(part.text);
+    else
+      all.value(shown(part, vocabulary));
   return all.text();
 }
 
@@ -229,7 +287,9 @@ std::string
 Diagnostic::id() const
 {
   std::string all;
-  for (const Part& part : parts_)
+  for (const Part& part : parts_) {
+    if (part.is_given)
+      all += '{' + part.setting + "} ";
     switch (part.kind) {
     case Kind::Words:
       for (const char c : part.text)
@@ -247,16 +307,27 @@ Diagnostic::id() const
     case Kind::Direction:
       all += "{direction}";
       break;
+    case Kind::Box:
+      all += "from {place} to {place}";
+      break;
     case Kind::Field:
       all += '{' + part.text + '}';
     }
+  }
   return all;
 }
 
 std::vector<Eigen::Vector3d>
 Diagnostic::places() const
 {
-  return taken(parts_, Kind::Place, [](const Part& part) { return part.value; });
+  std::vector<Eigen::Vector3d> all;
+  for (const Part& part : parts_) {
+    if (part.kind == Kind::Place || part.kind == Kind::Box)
+      all.push_back(part.value);
+    if (part.kind == Kind::Box)
+      all.push_back(part.high);
+  }
+  return all;
 }
 
 std::vector<Eigen::Vector3d>
@@ -280,7 +351,23 @@ Diagnostic::names() const
 std::vector<std::string>
 Diagnostic::fields() const
 {
-  return taken(parts_, Kind::Field, [](const Part& part) { return part.text; });
+  std::vector<std::string> all;
+  for (const Part& part : parts_)
+    if (part.kind == Kind::Field || part.is_given)
+      all.push_back(part.is_given ? part.setting : part.text);
+  return all;
+}
+
+std::vector<Proposed>
+Diagnostic::proposed() const
+{
+  return valuesOf<Proposed>(false);
+}
+
+std::vector<Given>
+Diagnostic::given() const
+{
+  return valuesOf<Given>(true);
 }
 
 std::vector<std::string>

@@ -183,8 +183,8 @@ fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::v
       return {StatusCode::InvalidInput,
               Diagnostic("the points of the boundary at ", Place(graph.position(ring.front())), " are ", apart, " {mm} apart, ",
                          apart / graph.spacing(), " times as far as usual in the {scan} (", graph.spacing(),
-                         " {mm}): the {scan} is much denser elsewhere; thin it to an even spacing ({setThinning} ", apart,
-                         "), or leave the dense part out")};
+                         " {mm}): the {scan} is much denser elsewhere; thin it to an even spacing ({setThinning} ",
+                         Proposed("setThinning", apart), "), or leave the dense part out")};
     else
       loops.push_back(loopOf(graph, surface, ring, goOn));
     done += size;

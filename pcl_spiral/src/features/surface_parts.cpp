@@ -100,14 +100,15 @@ otherParts(const std::vector<SurfacePart>& parts, double share)
 }
 
 Diagnostic
-partsText(const std::vector<SurfacePart>& parts)
+partsText(const std::vector<SurfacePart>& parts, bool to_choose)
 {
   constexpr std::size_t most_named = 6;
   std::vector<SurfacePart> by_area = parts;
   std::stable_sort(by_area.begin(), by_area.end(), [](const SurfacePart& a, const SurfacePart& b) { return a.area > b.area; });
   Diagnostic list;
   for (std::size_t i = 0; i < std::min(parts.size(), most_named); ++i)
-    list += Diagnostic(i > 0 ? ", " : "", by_area[i].area, " {mm2} at ", Place(by_area[i].place));
+    list += Diagnostic(i > 0 ? ", " : "", by_area[i].area, " {mm2} at ",
+                       to_choose ? Diagnostic(Proposed("setPartAt", by_area[i].place)) : Diagnostic(Place(by_area[i].place)));
   if (parts.size() > most_named)
     list += Diagnostic(" and ", parts.size() - most_named, " more");
   return list;

@@ -2,7 +2,10 @@
 #include "planning/single_change.h"
 
 #include "planning/closed_scan.h"
-#include "planning/told_values.h"
+#include "planning/proposed_value.h"
+#include <pcl_spiral/graph/impl/surface_graph.h>
+
+#include <pcl/common/point_tests.h>
 
 #include <algorithm>
 #include <array>
@@ -15,22 +18,43 @@ namespace {
 constexpr double lower_scallop = 0.7;                           // of the scallop height: turns run elsewhere, and the finish stays
 constexpr std::array<double, 2> smaller_balls{0.7, 0.5};        // of the radius, if the refusal tells none
 constexpr std::array<double, 2> keep_out_half_widths{2.0, 4.0}; // radii, about a place
-constexpr double more_room = 1.5;                               // times the depth that a shank cuts: its lean changes with the place
 
 /** Settings that say what is wanted, not how it is reached: their defaults are no remedy. */
 constexpr std::array<const char*, 5> wanted{"setToolRadius", "setScallopHeight", "setChordError", "setViewPoint", "setFlipNormals"};
+
+/** Values that are tried with others of their kind: they name another part, room or tool. */
+constexpr std::array<const char*, 3> of_kinds{"setPartAt", "addKeepOut", "setToolRadius"};
+
+template <std::size_t N>
+bool
+contains(const std::array<const char*, N>& names, const std::string& name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/** Whether \p input has as many points as a surface needs: else no change of a setting makes one. */
+bool
+hasPoints(const PlanInput& input)
+{
+  if (input.mesh || !input.cloud)
+    return true;
+  std::size_t count = 0;
+  return std::any_of(input.cloud->begin(), input.cloud->end(),
+                     [&count](const pcl::PointXYZ& p) { return (count += pcl::isFinite(p) ? 1 : 0) >= SurfaceGraph::fewest_points; });
+}
 
 /** The changes of one refused input. */
 class Changes {
 public:
   Changes(const PlanInput& input, const Refused& refused)
-  : input_(input), said_(refused.status.diagnostic()), late_(refused.late), named_(said_.settings())
+  : input_(input), said_(refused.status.diagnostic()), late_(refused.late), named_(said_.settings()), proposed_(said_.proposed())
   {}
 
   std::vector<SingleChange> find()
   {
     addDefaults();
-    addTold();
+    addProposed();
+    addNamed();
     addClosing();
     addParts();
     addKeepOuts();
@@ -59,8 +83,7 @@ private:
     const std::vector<Setting> given = settingTable(now), defaults = settingTable(usual);
     for (std::size_t i = 0; i < given.size(); ++i) {
       const std::string& setter = given[i].setter;
-      if (!names(setter.c_str()) || textOf(given[i]) == textOf(defaults[i]) ||
-          std::find(wanted.begin(), wanted.end(), setter) != wanted.end())
+      if (!names(setter.c_str()) || textOf(given[i]) == textOf(defaults[i]) || contains(wanted, setter))
         continue;
       add(Diagnostic(("without {" + setter + "}").c_str()), false, true, [i](PlanInput& changed) {
         SpiralSettings other;
@@ -69,26 +92,44 @@ private:
     }
   }
 
-  /** Values that the refusal tells. */
-  void addTold()
+  /** The change to a value of a setting, unless it is there already. */
+  bool add(const Proposed& proposed, bool named = true)
   {
-    const double thinning = numberBehind(said_, {"thin to ", "{setThinning} "});
-    if (names("setThinning") && thinning > 0.0)
-      add(Diagnostic("{setThinning} ", thinning), false, true, [=](PlanInput& changed) { changed.settings.thinning = thinning; });
-    const bool leans = input_.settings.tilt_angle != 0.0 && !input_.settings.fixed_axis;
-    if (names("setTiltAngle") && leans)
-      add("{setTiltAngle} 0", true, true, [](PlanInput& changed) { changed.settings.tilt_angle = 0.0; });
+    SingleChange change{{}, input_, keepsSurface(proposed.setting), named};
+    const std::optional<Given> given = takeProposed(proposed, firstPlace(), change.input);
+    if (!given)
+      return false;
+    change.words = Diagnostic(*given);
+    found_.push_back(std::move(change));
+    return true;
+  }
+
+  /** What the refusal proposes, but for other parts, keep-outs and tools. */
+  void addProposed()
+  {
+    for (const Proposed& proposed : proposed_)
+      if (!contains(of_kinds, proposed.setting))
+        add(proposed);
+  }
+
+  Eigen::Vector3d firstPlace() const
+  {
+    const std::vector<Eigen::Vector3d> places = said_.places();
+    return places.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : places.front();
+  }
+
+  /** What the refusal names where one value helps. */
+  void addNamed()
+  {
+    if (names("setTiltAngle") && !input_.settings.fixed_axis)
+      add(Proposed("setTiltAngle", 0.0));
     if (names("setClusterHandling(ClusterHandling::Ride)") && input_.choice.clusters != ClusterHandling::Ride)
       add("{setClusterHandling(ClusterHandling::Ride)}", false, true,
           [](PlanInput& changed) { changed.choice.clusters = ClusterHandling::Ride; });
-    if (names("setBoundaryMode") && input_.settings.boundary_mode != BoundaryMode::OneBoundary)
-      add("{setBoundaryMode} one", true, true, [](PlanInput& changed) { changed.settings.boundary_mode = BoundaryMode::OneBoundary; });
-    if (names("setHoleHandling") && input_.settings.holes != HoleHandling::Over)
-      add("{setHoleHandling} over", true, true, [](PlanInput& changed) { changed.settings.holes = HoleHandling::Over; });
-    const double cut = numberBehind(said_, {"would cut "});
-    if (names("addKeepOut") && !input_.choice.keep_outs.empty() && cut > 0.0)
-      add(Diagnostic("keep-outs wider by ", more_room * cut, " {mm} on all sides ({addKeepOut})"), false, true,
-          [=](PlanInput& changed) { changed.choice.margin += more_room * cut; });
+    if (names("setBoundaryMode"))
+      add(Proposed("setBoundaryMode", "one"));
+    if (names("setHoleHandling"))
+      add(Proposed("setHoleHandling", "over"));
   }
 
   /** Other turns over the same surface, if turns were made or the refusal names them. */
@@ -96,17 +137,14 @@ private:
   {
     const SpiralSettings& s = input_.settings;
     const bool is_radial = s.method != SpiralMethod::ConstantScallop && s.method != SpiralMethod::Shortest;
-    const bool clockwise = s.sense == SpiralSense::Clockwise;
-    const double height = roundedDown(lower_scallop * s.scallop_height);
-    if (late_ || names("setMethod"))
-      add(is_radial ? "{setMethod} constant-scallop" : "{setMethod} radial", true, names("setMethod"),
-          [is_radial](PlanInput& changed) { changed.settings.method = is_radial ? SpiralMethod::ConstantScallop : SpiralMethod::Radial; });
-    if (late_ || names("setSense"))
-      add(clockwise ? "{setSense} ccw" : "{setSense} cw", true, names("setSense"),
-          [clockwise](PlanInput& changed) { changed.settings.sense = clockwise ? SpiralSense::CounterClockwise : SpiralSense::Clockwise; });
-    if (late_ || names("setScallopHeight"))
-      add(Diagnostic("{setScallopHeight} ", height), true, names("setScallopHeight"),
-          [height](PlanInput& changed) { changed.settings.scallop_height = height; });
+    const auto addOther = [this](const Proposed& proposed) {
+      const bool named = names(proposed.setting.c_str());
+      if (late_ || named)
+        add(proposed, named);
+    };
+    addOther({"setMethod", is_radial ? "constant-scallop" : "radial"});
+    addOther({"setSense", s.sense == SpiralSense::Clockwise ? "ccw" : "cw"});
+    addOther({"setScallopHeight", lower_scallop * s.scallop_height});
   }
 
   /** Each of several separate parts, the largest first. */
@@ -114,10 +152,10 @@ private:
   {
     if (!(names("setLargestPart") || names("setPartAt")) || input_.settings.largest_part || input_.choice.part_at)
       return;
-    const std::vector<Eigen::Vector3d> parts = placesBehind(said_, "{mm2} at ");
-    for (const Eigen::Vector3d& place : parts)
-      add(Diagnostic("{setPartAt} ", Place(place)), false, true, [place](PlanInput& changed) { changed.choice.part_at = place; });
-    if (parts.empty())
+    bool has_places = false;
+    for (const Proposed& proposed : proposed_)
+      has_places = (proposed.setting == "setPartAt" && add(proposed)) || has_places;
+    if (!has_places)
       add("{setLargestPart}", false, true, [](PlanInput& changed) { changed.settings.largest_part = true; });
   }
 
@@ -129,50 +167,42 @@ private:
       add("{setBallClosing}, with a fixed tool axis", false, separate, [](PlanInput& changed) { changed.ball_closing = true; });
   }
 
-  /** Keep-outs about what the refusal gives the extents of, or about its first place. */
+  /** All keep-outs that the refusal proposes, or one about its first place. */
   void addKeepOuts()
   {
     if (input_.mesh || input_.ball_closing || !names("addKeepOut"))
       return;
-    if (const std::vector<Eigen::AlignedBox3d> boxes = extentsOf(said_); !boxes.empty())
-      addBoxes(boxes, true);
+    SingleChange change{{}, input_, false, true};
+    for (const Proposed& proposed : proposed_)
+      if (const std::optional<Given> given =
+              proposed.setting == "addKeepOut" ? takeProposed(proposed, firstPlace(), change.input) : std::nullopt)
+        change.words += Diagnostic(change.words.empty() ? "" : " and ", *given);
+    if (!change.words.empty())
+      found_.push_back(std::move(change));
     else if (!said_.places().empty())
       for (const double half : keep_out_half_widths) {
-        const Eigen::Vector3d aside = half * input_.settings.tool_radius * Eigen::Vector3d(1.0, 1.0, 0.0), place = said_.places().front();
-        addBoxes({Eigen::AlignedBox3d(place - aside, place + aside)}, false);
+        const Eigen::Vector3d aside = half * input_.settings.tool_radius * Eigen::Vector3d(1.0, 1.0, 0.0);
+        add(Proposed("addKeepOut", firstPlace() - aside, firstPlace() + aside), false);
       }
-  }
-
-  void addBoxes(const std::vector<Eigen::AlignedBox3d>& boxes, bool named)
-  {
-    Diagnostic words;
-    for (const Eigen::AlignedBox3d& box : boxes)
-      words += Diagnostic(words.empty() ? "{addKeepOut} from " : ", {addKeepOut} from ", Place(box.min()), " to ", Place(box.max()));
-    add(words, false, named, [&boxes](PlanInput& changed) {
-      for (const Eigen::AlignedBox3d& box : boxes)
-        changed.choice.keep_outs.push_back(uprightPrism(box));
-    });
   }
 
   /** A smaller ball, which is another tool. */
   void addSmallerBalls()
   {
-    const double radius = input_.settings.tool_radius, told = roundedDown(numberBehind(said_, {"a radius of "}));
-    const auto addBall = [&](double smaller) {
-      add(Diagnostic("{setToolRadius} ", smaller), true, names("setToolRadius"),
-          [=](PlanInput& changed) { changed.settings.tool_radius = smaller; });
-    };
-    if (told > 0.0 && told < radius)
-      addBall(told);
-    else if (names("setToolRadius") || late_ || input_.ball_closing)
+    bool is_proposed = false;
+    for (const Proposed& proposed : proposed_)
+      is_proposed = (proposed.setting == "setToolRadius" && add(proposed)) || is_proposed;
+    const double radius = input_.settings.tool_radius;
+    if (!is_proposed && (names("setToolRadius") || late_ || input_.ball_closing))
       for (const double share : smaller_balls)
-        addBall(roundedDown(share * radius));
+        add(Proposed("setToolRadius", share * radius), names("setToolRadius"));
   }
 
   const PlanInput& input_;
   const Diagnostic& said_;
   bool late_;
   std::vector<std::string> named_;
+  std::vector<Proposed> proposed_;
   std::vector<SingleChange> found_;
 };
 
@@ -181,7 +211,7 @@ private:
 std::vector<SingleChange>
 singleChanges(const PlanInput& input, const Refused& refused)
 {
-  return Changes(input, refused).find();
+  return hasPoints(input) ? Changes(input, refused).find() : std::vector<SingleChange>();
 }
 
 } // namespace pcl_spiral

@@ -91,7 +91,8 @@ checkThinning(const Surface& surface, double allowed)
   return {StatusCode::Failed,
           Diagnostic("the {cloud} was thinned to ", edge, " {mm}, and the surface then lies ", error.distance,
                      " {mm} beside the points that were left out, at ", Place(error.place), "; ", allowed,
-                     " {mm} is allowed, the scallop height: thin to ", remedy_share * edge * std::sqrt(allowed / error.distance),
+                     " {mm} is allowed, the scallop height: thin to ",
+                     Proposed("setThinning", remedy_share * edge * std::sqrt(allowed / error.distance)),
                      " {mm} or less ({setThinning}), or set a scallop height above ", error.distance, " {mm} ({setScallopHeight})")};
 }
 

@@ -89,6 +89,46 @@ TEST(Diagnostic, GrowsByOthers)
   EXPECT_EQ(of_rows.names(), lowStep().names());
 }
 
+TEST(Diagnostic, CarriesTheValuesThatItProposes)
+{
+  const Diagnostic d("thin to ", Proposed("setThinning", 0.5), " {mm} or less ({setThinning}), keep out ",
+                     Proposed("addKeepOut", {1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}), ", take the ", Proposed("setMethod", "radial"),
+                     " method or the part at ", Proposed("setPartAt", Eigen::Vector3d(7.0, 8.0, 9.0)));
+  EXPECT_EQ(d.text(), "thin to 0.5 mm or less (setThinning), keep out from (1, 2, 3) to (4, 5, 6), take the radial method or the part at "
+                      "(7, 8, 9)");
+  EXPECT_EQ(d.id(),
+            "thin to {number} {mm} or less ({setThinning}), keep out from {place} to {place}, take the radial method or the part at "
+            "{place}");
+  EXPECT_EQ(d.settings(), std::vector<std::string>{"setThinning"});
+  EXPECT_EQ(d.numbers(), std::vector<double>{0.5});
+  EXPECT_EQ(d.places().size(), 3U);
+  EXPECT_TRUE(d.given().empty());
+  const std::vector<Proposed> proposed = d.renamed({{"setMethod", "method="}}).proposed();
+  ASSERT_EQ(proposed.size(), 4U);
+  EXPECT_EQ(proposed[0].setting, "setThinning");
+  EXPECT_EQ(std::get<double>(proposed[0].value), 0.5);
+  EXPECT_EQ(std::get<Extents>(proposed[1].value).high, Eigen::Vector3d(4.0, 5.0, 6.0));
+  EXPECT_EQ(proposed[2].setting, "method=");
+  EXPECT_EQ(std::get<std::string>(proposed[2].value), "radial");
+  EXPECT_EQ(std::get<Eigen::Vector3d>(proposed[3].value), Eigen::Vector3d(7.0, 8.0, 9.0));
+}
+
+TEST(Diagnostic, AFaceWritesASettingWithItsValueAsItTakesIt)
+{
+  const Diagnostic d("one helps: ", Given("setPartAt", Eigen::Vector3d(7.0, 8.0, 9.0)), " and ", Given("setThinning", 0.5));
+  EXPECT_EQ(d.text(), "one helps: setPartAt (7, 8, 9) and setThinning 0.5");
+  EXPECT_EQ(d.id(), "one helps: {setPartAt} {place} and {setThinning} {number}");
+  EXPECT_EQ(d.settings(), (std::vector<std::string>{"setPartAt", "setThinning"}));
+  EXPECT_TRUE(d.proposed().empty());
+  EXPECT_EQ(d.given().size(), 2U);
+  Vocabulary words;
+  words.words = {{"setPartAt", "--part-at"}, {"setThinning", "thin="}};
+  words.place = [](const Eigen::Vector3d&) { return std::string("there"); };
+  EXPECT_EQ(d.text(words), "one helps: --part-at there and thin=0.5");
+  words.given = [](const Proposed::Value& value) { return std::holds_alternative<double>(value) ? "n" : "7,8,9"; };
+  EXPECT_EQ(d.text(words), "one helps: --part-at 7,8,9 and thin=n");
+}
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 TEST(Diagnostic, IsATextWhereVersion01HadOne)

@@ -12,6 +12,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace pcl_spiral {
@@ -34,6 +35,36 @@ struct SixDigits {
   double value;                                        ///< in any unit
 };
 
+/** A box along the axes, as a field of a Diagnostic: shown as "from (0, 0, 0) to (1, 2, 3)". */
+struct Extents {
+  Eigen::Vector3d low;  ///< mm
+  Eigen::Vector3d high; ///< mm
+};
+
+/** A value that a setting may have where something is refused, as a field of a Diagnostic: shown as the value alone. The setting is for
+ *  those who try it (Diagnostic::proposed).
+ *  \code
+ *  Diagnostic d("thin to ", Proposed("setThinning", 0.5), " {mm} or less ({setThinning})"); // thin to 0.5 mm or less (setThinning)
+ *  \endcode
+ */
+struct Proposed {
+  using Value = std::variant<double, Eigen::Vector3d, Extents, std::string>; ///< A number, a place, a box, or the word of a choice.
+
+  Proposed(std::string of_setting, Value of_value) : setting(std::move(of_setting)), value(std::move(of_value)) {} ///< As the members.
+  /** A box, as of a keep-out, from \p low to \p high. */
+  Proposed(std::string of_setting, const Eigen::Vector3d& low, const Eigen::Vector3d& high)
+  : Proposed(std::move(of_setting), Extents{low, high})
+  {}
+
+  std::string setting; ///< by its C++ name
+  Value value;         ///< lengths in mm; of addKeepOut a number is by how much a keep-out must grow
+};
+
+/** A setting with its value, as a user gives it: shown as "setThinning 0.5", or as the face takes it. */
+struct Given : Proposed {
+  using Proposed::Proposed;
+};
+
 /** How a face of the library, such as a program or a binding, names what a Diagnostic has as fields. The empty one names them as C++
  *  does. */
 struct Vocabulary {
@@ -44,6 +75,8 @@ struct Vocabulary {
   bool has_setters = true;
   /** The text of a place; none: placeText. Lengths stay in millimetres. */
   std::function<std::string(const Eigen::Vector3d& place)> place;
+  /** The text of the value of a setting, so that the face takes it (Given); none: as in sentences. */
+  std::function<std::string(const Proposed::Value& value)> given;
 };
 
 /** "(12.5, -3, 0.125)": to 0.001, without trailing zeros. */
@@ -68,10 +101,10 @@ public:
     add(words);
     text_ = text(Vocabulary());
   }
-  /** The parts one after the other: words (const char*), numbers, places, directions, other diagnostics, and names (std::string), which
-   *  are shown as they are: of files, of regions, of axes, or what another library says. What comes from outside of the code must be a
-   *  std::string: in a const char* braces mean fields. Real numbers have four digits; integers, and numbers of 10,000 or more, are
-   *  written to the last digit before the decimal point. */
+  /** The parts one after the other: words (const char*), numbers, places, boxes, directions, values of settings (Proposed, Given), other
+   *  diagnostics, and names (std::string), which are shown as they are: of files, of regions, of axes, or what another library says.
+   *  What comes from outside of the code must be a std::string: in a const char* braces mean fields. Real numbers have four
+   *  digits; integers, and numbers of 10,000 or more, are written to the last digit before the decimal point. */
   template <typename First, typename... Rest,
             typename = std::enable_if_t<(sizeof...(Rest) > 0) || !std::is_base_of_v<Diagnostic, std::decay_t<First>>>>
   explicit Diagnostic(const First& first, const Rest&... rest)
@@ -101,6 +134,8 @@ public:
   std::vector<std::string> names() const;          ///< Its names in their order.
   std::vector<std::string> fields() const;         ///< What stands in braces in its words, in their order: settings, units.
   std::vector<std::string> settings() const;       ///< Of fields(), the names of C++: setters, classes and members.
+  std::vector<Proposed> proposed() const;          ///< The values that it proposes for settings, in their order.
+  std::vector<Given> given() const;                ///< The settings that it gives with their values, in their order.
 
   /** The same with the name \p to for each name \p from. */
   Diagnostic renamed(const std::string& from, const std::string& to) const;
@@ -120,18 +155,25 @@ private:
     Number,    ///< real or whole
     Place,     ///< mm
     Direction, ///< of any length
+    Box,       ///< mm
     Field      ///< what stood in braces
   };
   struct Part {
     Kind kind;
-    std::string text;      ///< of words, names and numbers as written; the name of a field
-    Eigen::Vector3d value; ///< of a place or direction; first of a number
+    std::string text;                                ///< of words, names and numbers as written; the name of a field
+    Eigen::Vector3d value = Eigen::Vector3d::Zero(); ///< of a place or direction; the lower corner of a box; first of a number
+    Eigen::Vector3d high = Eigen::Vector3d::Zero();  ///< of a box
+    std::string setting = {};                        ///< of which this is a value; empty: of none
+    bool is_given = false;                           ///< the setting is shown before its value
   };
 
   void add(const char* words);
   void add(const std::string& name);
   void add(const Place& place);
   void add(const Direction& direction);
+  void add(const Extents& box) { parts_.push_back({Kind::Box, {}, box.low, box.high}); }
+  void add(const Proposed& proposed) { addValue(proposed, false); }
+  void add(const Given& given) { addValue(given, true); }
   void add(const Diagnostic& other) { *this += other; }
   void add(double number);
   void add(const SixDigits& number);
@@ -144,6 +186,11 @@ private:
       addNumber(std::to_string(number), static_cast<double>(number));
   }
   void addNumber(std::string digits, double value);
+  void addValue(const Proposed& of_setting, bool is_given);
+  static Proposed::Value valueOf(const Part& part);
+  template <typename Value>
+  std::vector<Value> valuesOf(bool are_given) const;
+  std::string shown(const Part& part, const Vocabulary& vocabulary) const;
 
   std::vector<Part> parts_;
   std::string text_; ///< in the words of C++

@@ -72,9 +72,9 @@ checkHoldsTogether(const SurfaceGraph& graph)
   for (std::size_t i = 1; i < parts.size(); ++i)
     box.extend(parts[i].box);
   return {StatusCode::InvalidInput,
-          Diagnostic("the surface falls apart where {gaps of the scan} are bridged: ", partsText(parts),
-                     ". Something stands on the part there: keep the cutter out of it with a polygon that covers it, from ",
-                     Place(box.min()), " to ", Place(box.max()), " ({addKeepOut})")};
+          Diagnostic("the surface falls apart where {gaps of the scan} are bridged: ", partsText(parts, false),
+                     ". Something stands on the part there: keep the cutter out of it with a polygon that covers it, ",
+                     Proposed("addKeepOut", box.min(), box.max()), " ({addKeepOut})")};
 }
 
 /** One run: the input, and which loops are the user's own. */

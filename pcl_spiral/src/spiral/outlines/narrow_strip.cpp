@@ -60,12 +60,12 @@ refuseNarrowStrip(const std::vector<BoundaryLoop>& outlines, std::size_t of, dou
       *std::min_element(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance() < b.distance(); });
   const double width = narrowest.distance();
   const Eigen::AlignedBox3d box = boxAbout(narrowest, pairs, std::max(narrow * spacing, wider * width));
-  return {StatusCode::Failed,
-          Diagnostic(
-              "the surface between two outlines is only ", width, " {mm} wide at ", Place(0.5 * (narrowest.first + narrowest.second)),
-              ", too narrow for points ", spacing,
-              " {mm} apart: {scan it again, more densely}, keep the cutter out of there with a polygon that covers the narrow strip, from ",
-              Place(box.min()), " to ", Place(box.max()), " ({addKeepOut}), or choose the radial method ({setMethod})")};
+  return {
+      StatusCode::Failed,
+      Diagnostic("the surface between two outlines is only ", width, " {mm} wide at ", Place(0.5 * (narrowest.first + narrowest.second)),
+                 ", too narrow for points ", spacing,
+                 " {mm} apart: {scan it again, more densely}, keep the cutter out of there with a polygon that covers the narrow strip, ",
+                 Proposed("addKeepOut", box.min(), box.max()), " ({addKeepOut}), or choose the radial method ({setMethod})")};
 }
 
 Diagnostic
@@ -77,8 +77,8 @@ keepOutText(const Polyline& places, double spacing)
   for (const Eigen::Vector3d& p : places)
     box.extend(p);
   const Eigen::Vector3d aside(spacing, spacing, 0.0);
-  return Diagnostic("keep the cutter out of what stands there with a polygon that covers all of it, at least from ",
-                    Place(box.min() - aside), " to ", Place(box.max() + aside), " ({addKeepOut}), or ");
+  return Diagnostic("keep the cutter out of what stands there with a polygon that covers all of it, at least ",
+                    Proposed("addKeepOut", box.min() - aside, box.max() + aside), " ({addKeepOut}), or ");
 }
 
 } // namespace pcl_spiral

@@ -217,14 +217,13 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     figures.largest_gap = std::max(figures.largest_gap, (path.contacts[i] - path.contacts[i - 1]).norm());
     const double gap = (feet[i] - feet[i - 1]).norm();
     if (!(gap <= slack * longest_step))
-      return {
-          StatusCode::Failed,
-          Diagnostic(
-              "the path jumps by ", gap, " {mm} at ", Place(path.contacts[i]), " in turn ", path.turns[i],
-              ", more than the longest step of ", longest_step, " {mm}, while the normal turns by ",
-              std::acos(std::clamp(path.normals[i].dot(path.normals[i - 1]), -1.0, 1.0)) * 180.0 / pi,
-              " {degrees}: the surface folds there, or is too rough or too sparse; leave the place out ({setCrop}, {addKeepOut}), or scan "
-              "it more densely")};
+      return {StatusCode::Failed,
+              Diagnostic(
+                  "the path jumps by ", gap, " {mm} at ", Place(path.contacts[i]), " in turn ", path.turns[i],
+                  ", more than the longest step of ", longest_step, " {mm}, while the normal turns by ",
+                  std::acos(std::clamp(path.normals[i].dot(path.normals[i - 1]), -1.0, 1.0)) * 180.0 / pi,
+                  " {degrees}: the surface folds there, or is too rough or too sparse; leave the place out ({setCrop}, {addKeepOut}), or "
+                  "{scan it again, more densely}")};
   }
   figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
   figures.points = path.contacts.size();

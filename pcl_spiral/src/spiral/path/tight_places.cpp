@@ -77,14 +77,14 @@ TightPlaces::refusal(const Diagnostic& what, const Surface* surface) const
 {
   const std::size_t places = count();
   const double fitting = remedyRadius(surface ? tightestOf(*surface, radius_) : radius_);
-  return {StatusCode::Failed,
-          Diagnostic("the surface is hollow with radius ", radius_, " {mm} at ", Place(place_), ", tighter than the tool radius ",
-                     tool_radius_,
-                     " {mm}: the cutter would gouge; let the ball ride over such places ({setTightHandling}), or use a smaller tool "
-                     "({setToolRadius}): "
-                     "a radius of ",
-                     fitting, " {mm} fits everywhere", surface ? " {on the scan}" : "", ". This is the tightest of ", feet_.size(), " ",
-                     what, " that are too tight, in ", places, places == 1 ? " place" : " separate places")};
+  return {
+      StatusCode::Failed,
+      Diagnostic("the surface is hollow with radius ", radius_, " {mm} at ", Place(place_), ", tighter than the tool radius ", tool_radius_,
+                 " {mm}: the cutter would gouge; let the ball ride over such places ({setTightHandling}), or use a smaller tool "
+                 "({setToolRadius}): "
+                 "a radius of ",
+                 Proposed("setToolRadius", fitting), " {mm} fits everywhere", surface ? " {on the scan}" : "", ". This is the tightest of ",
+                 feet_.size(), " ", what, " that are too tight, in ", places, places == 1 ? " place" : " separate places")};
 }
 
 Status

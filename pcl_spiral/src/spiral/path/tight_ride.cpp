@@ -240,7 +240,7 @@ unfreeRefusal(const std::vector<RiddenPoint>& unfree, const BallReach& reach, do
           Diagnostic("the ball of radius ", tool_radius, " {mm} finds no free place over ", Place(feet.front()), " in turn ",
                      unfree.front().turn, feet.size() > 1 ? Diagnostic(", nor at ", feet.size() - 1, " more places") : "",
                      ": the surface closes round it; ", keepOutText(feet, spacing), "use a smaller tool ({setToolRadius}): a radius of ",
-                     share * largest, " {mm} reaches there")};
+                     Proposed("setToolRadius", share * largest), " {mm} reaches there")};
 }
 
 } // namespace

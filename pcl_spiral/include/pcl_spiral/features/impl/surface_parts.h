@@ -53,8 +53,9 @@ OtherParts otherParts(const std::vector<SurfacePart>& parts, double share);
 /** The part with a point nearest to \p place, and the distance of that point, mm. */
 std::size_t nearestPart(const SurfaceGraph& graph, const SurfaceParts& parts, const Eigen::Vector3d& place, double& distance);
 
-/** "7854 mm2 at (1, 2, 3), 12 mm2 at (4, 5, 6) and 7 more": \p parts as text with a point of each, the first few listed. */
-Diagnostic partsText(const std::vector<SurfacePart>& parts);
+/** "7854 mm2 at (1, 2, 3), 12 mm2 at (4, 5, 6) and 7 more": \p parts as text with a point of each, the first few listed. The points are
+ *  proposed for setPartAt if the user has \p to_choose a part. */
+Diagnostic partsText(const std::vector<SurfacePart>& parts, bool to_choose = true);
 
 /** The refusal of several \p parts of which none was chosen. */
 Diagnostic severalPartsText(const std::vector<SurfacePart>& parts);
