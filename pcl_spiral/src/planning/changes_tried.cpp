@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/changes_tried.h"
 
+#include "planning/lacking_points.h"
 #include "planning/scan_clearance.h"
 
-#include "graph/local_shape.h"
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/core/impl/tolerances.h>
 
@@ -49,14 +49,15 @@ figuresOf(const SpiralPlan& plan)
   return text;
 }
 
-/** Whether the ball of \p plan stays out of all points of its scan but single false echoes, also out of those that are left out. */
+/** Whether the ball of \p plan stays out of all points that it cuts, but single false echoes. What is left out by its place is an obstacle,
+ *  for which the plan was checked. */
 bool
 isClear(const SpiralPlan& plan)
 {
-  if (plan.mesh || !plan.whole)
+  if (plan.mesh || !plan.cloud)
     return true;
   std::vector<Eigen::Vector3f> points;
-  for (const pcl::PointXYZ& p : *plan.whole)
+  for (const pcl::PointXYZ& p : *plan.cloud)
     if (pcl::isFinite(p))
       points.push_back(p.getVector3fMap());
   pcl::PointCloud<pcl::PointXYZ> things;
@@ -64,62 +65,6 @@ isClear(const SpiralPlan& plan)
     things.push_back({p.x(), p.y(), p.z()});
   const SpiralSettings& s = plan.settings;
   return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= gougeTolerance(s.chord_error, plan.report.noise);
-}
-
-/** What of a cloud is about a place. */
-struct Neighbourhood {
-  double spacing = 0.0;   ///< mm, by the distance of the eighth point; 0 of fewer
-  bool is_within = false; ///< the eight points are not all on one side
-};
-
-Neighbourhood
-aboutPlace(const pcl::PointCloud<pcl::PointXYZ>& cloud, const Eigen::Vector3d& place)
-{
-  constexpr std::size_t few = 8;
-  constexpr double one_side = 0.9; // length of the mean direction: of directions within 50 degrees of one
-  std::vector<std::pair<double, std::size_t>> squared;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (pcl::isFinite(cloud[i]))
-      squared.emplace_back((cloud[i].getVector3fMap().cast<double>() - place).squaredNorm(), i);
-  if (squared.size() < few)
-    return {};
-  std::nth_element(squared.begin(), squared.begin() + (few - 1), squared.end());
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < few; ++k)
-    sum += (cloud[squared[k].second].getVector3fMap().cast<double>() - place).normalized();
-  return {evenSpacing(std::sqrt(squared[few - 1].first), static_cast<int>(few)), sum.norm() < one_side * static_cast<double>(few)};
-}
-
-/** The usual distance between points of \p cloud, mm: the median over some of them. */
-double
-usualSpacing(const pcl::PointCloud<pcl::PointXYZ>& cloud)
-{
-  constexpr std::size_t looked_at = 32;
-  std::vector<double> spacings;
-  for (std::size_t k = 0; k < looked_at; ++k)
-    if (const pcl::PointXYZ& p = cloud[k * cloud.size() / looked_at]; pcl::isFinite(p))
-      spacings.push_back(aboutPlace(cloud, p.getVector3fMap().cast<double>()).spacing);
-  if (spacings.empty())
-    return 0.0;
-  std::nth_element(spacings.begin(), spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2), spacings.end());
-  return spacings[spacings.size() / 2];
-}
-
-/** Where the scan has fewer points than elsewhere, if the first place of what was \p said is such a place; else nothing: then it is not
- *  the scan that keeps the path from being made. */
-Diagnostic
-lackOf(const PlanInput& input, const Diagnostic& said)
-{
-  constexpr double sparse = 2.0; // times the usual spacing: at a right corner of an even scan, with a quarter of the points about
-  if (said.places().empty() || input.mesh || !input.cloud || input.cloud->empty())
-    return {};
-  const Eigen::Vector3d place = said.places().front();
-  const Neighbourhood there = aboutPlace(*input.cloud, place);
-  const double usual = usualSpacing(*input.cloud);
-  if (!(there.spacing > sparse * usual) || !there.is_within)
-    return {};
-  return Diagnostic(". What the {scan} lacks is at ", Place(place), ", where its points lie ", there.spacing, " {mm} apart, ", usual,
-                    " {mm} elsewhere: {scan it again, more densely}, or from another side");
 }
 
 /** A search through changes, first each alone, then two together. */
@@ -144,10 +89,9 @@ public:
         return ". Of single changes that were tried, none gives a path, but two together give " + *found;
     if (stopped_)
       return ". The search for a change that gives a path was stopped";
-    Diagnostic tried = alone.empty() ? Diagnostic() : ". Of changes that were tried, none gives a path: " + alone;
-    if (spent_)
-      return tried + Diagnostic("; others were not tried ({setRemedyTries})");
-    return tried + lackOf(input_, refused.status.diagnostic());
+    const Diagnostic tried = alone.empty() ? Diagnostic(". There is no single change of the settings to try")
+                                           : ". Of changes that were tried, none gives a path: " + alone;
+    return tried + (spent_ ? boundText() : lackOf(input_, refused.status.diagnostic()));
   }
 
 private:
@@ -177,6 +121,14 @@ private:
         refused_.push_back({change, {status, wasLate(with.attempts)}});
     }
     return std::nullopt;
+  }
+
+  /** What ended the search, and how to go on. */
+  Diagnostic boundText() const
+  {
+    const double tries = input_.remedy_tries;
+    return Diagnostic(". The search ended after ", Given("setRemedyTries", tries), "; ", Given("setRemedyTries", 2.0 * tries),
+                      " tries more");
   }
 
   /** The share stays where it was. */

@@ -35,6 +35,14 @@ cutterTable(CutterShape& cutter, const NumberRange& radius)
               .in("degrees", length.below(90.0))};
 }
 
+Setting
+remedyTries(int& tries)
+{
+  return Setting("remedy_tries", "setRemedyTries", "search for a remedy",
+                 "how many paths a search for a single change may cost that gives a path where there is none; 0: no search", "0", tries)
+      .in("paths", NumberRange::from(0.0));
+}
+
 std::vector<Setting>
 settingTable(PlanInput& input)
 {
@@ -49,10 +57,7 @@ settingTable(PlanInput& input)
           acceptedCollisions(input.accept_collisions),
           Setting("ball_closing", "setBallClosing", "closing by the ball",
                   "for a scan from one side with steps, folds and overhangs: plan over what the ball can touch", "", input.ball_closing),
-          Setting("remedy_tries", "setRemedyTries", "search for a remedy",
-                  "how many paths a search for a single change may cost that gives a path where there is none; 0: no search", "0",
-                  input.remedy_tries)
-              .in("paths", NumberRange::from(0.0)),
+          remedyTries(input.remedy_tries),
           Setting("sample_spacing", "setSampleSpacing", "sample spacing", "spacing of the samples of a mesh", "0.5", input.sample_spacing)
               .in("mm", length)
               .zeroFor("the spacing found from curvature and step-over")};

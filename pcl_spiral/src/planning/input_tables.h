@@ -15,6 +15,9 @@ namespace pcl_spiral {
 /** The measures of a cutter; \p radius: what its radius may be. */
 std::vector<Setting> cutterTable(CutterShape& cutter, const NumberRange& radius);
 
+/** How many paths a search for a change that helps may cost. */
+Setting remedyTries(int& tries);
+
 /** Of SpiralPlanner: flank, holder, collisions, closing by the ball, samples of a mesh. */
 std::vector<Setting> settingTable(PlanInput& input);
 

@@ -141,12 +141,6 @@ numberOption(const std::string& name, const std::string& argument, const std::st
 }
 
 Option
-wholeNumberOption(const std::string& name, const std::string& argument, const std::string& help, int& target)
-{
-  return {name, argument, help, [name, &target](const std::string& value) { target = wholeNumberValue(name, value); }};
-}
-
-Option
 textOption(const std::string& name, const std::string& argument, const std::string& help, std::string& target)
 {
   return {name, argument, help, [&target](const std::string& value) { target = value; }};

@@ -58,9 +58,6 @@ std::string suggestion(const OptionTable& table, const std::string& name);
 /** An option for a number. */
 Option numberOption(const std::string& name, const std::string& argument, const std::string& help, double& target);
 
-/** An option for a whole number. */
-Option wholeNumberOption(const std::string& name, const std::string& argument, const std::string& help, int& target);
-
 /** An option for text, taken unchanged. */
 Option textOption(const std::string& name, const std::string& argument, const std::string& help, std::string& target);
 

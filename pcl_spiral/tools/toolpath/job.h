@@ -12,6 +12,7 @@
 
 #include <pcl_spiral/core/tool_holder.h>
 #include <pcl_spiral/io/cloud_reader.h>
+#include <pcl_spiral/planning/impl/spiral_planning.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
 
 #include <string>
@@ -32,10 +33,10 @@ struct Job : ProgramRun {
   std::vector<pcl_spiral::ToolSegment> holder;
   double holder_clearance = 0.0; ///< mm
   ProgramJob program;
-  bool ball_closing = false;   ///< the scan is closed by the ball along the tool axis
-  int remedy_tries = 3;        ///< about how many paths a search for a change that gives one may cost
-  bool mesh = false;           ///< the scan is a mesh, and its faces are used
-  double sample_spacing = 0.0; ///< of the samples of the mesh, mm; 0: found from the mesh
-  bool verify = false;         ///< check the path against the scan or the mesh
-  pcl_spiral::Limits limits;   ///< of the check
+  bool ball_closing = false;                               ///< the scan is closed by the ball along the tool axis
+  int remedy_tries = pcl_spiral::PlanInput().remedy_tries; ///< see pcl_spiral::remedyTries
+  bool mesh = false;                                       ///< the scan is a mesh, and its faces are used
+  double sample_spacing = 0.0;                             ///< of the samples of the mesh, mm; 0: found from the mesh
+  bool verify = false;                                     ///< check the path against the scan or the mesh
+  pcl_spiral::Limits limits;                               ///< of the check
 };

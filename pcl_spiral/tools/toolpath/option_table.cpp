@@ -6,6 +6,8 @@
 #include "terminal/read_options.h"
 #include "terminal/scan_places.h"
 
+#include "planning/input_tables.h"
+
 using pcl_spiral::SpiralSettings;
 
 namespace {
@@ -122,14 +124,10 @@ surface(Job& job)
                     "for a scan from one side with steps, folds and overhangs: plan over what the ball can touch when it comes down along "
                     "the tool axis: --axis, else towards the view point, else +z; the axis stays the same on the whole path",
                     job.ball_closing),
-       wholeNumberOption(
-           "remedy-tries", "N",
-           "without a path, single changes of the settings are tried until one gives a path, at the cost of about N paths; 0: "
-           "none; default 3: --remedy-tries 0",
-           job.remedy_tries),
        {"outliers", "K,SIGMA", "remove points farther than SIGMA standard deviations from their K neighbours: --outliers 16,3",
         [&job](const std::string& value) { setOutliers(job, value); }}}};
   addSettings(group, settingTable(static_cast<pcl_spiral::SurfaceSettings&>(job.settings)));
+  addSettings(group, {pcl_spiral::remedyTries(job.remedy_tries)});
   addOptions(group, regionOptions(job.part, job.regions));
   addOptions(group, {clustersOption(job.part)});
   return group;

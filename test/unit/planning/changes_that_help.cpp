@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A refused plan names the change that gives a path, tried by the planner itself: scans for which it is known which one that is.
+#include "planning/input_tables.h"
+#include "planning/lacking_points.h"
+#include "planning/proposed_value.h"
 #include "planning/single_change.h"
-#include "planning/told_values.h"
 
 #include "support/spiral_jobs.h"
 #include "support/tight_parts.h"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <variant>
 
 namespace changes_that_help_test {
 namespace {
@@ -187,6 +190,8 @@ TEST(ChangesThatHelp, TheSearchIsBoundedAndTheSameForAnyThreads)
     EXPECT_FALSE(planner.getStatus().ok());
     EXPECT_GE(stages.size(), 1U);
     EXPECT_LE(stages.size(), 3U); // each costs a third of a path at least
+    EXPECT_NE(planner.getStatus().message().find("The search ended after setRemedyTries 1; setRemedyTries 2 tries more"), std::string::npos)
+        << planner.getStatus().message();
     words.insert(planner.getStatus().message());
   }
   EXPECT_EQ(words.size(), 1U);
@@ -221,24 +226,136 @@ TEST(ChangesThatHelp, LessThanNoSearchIsRefused)
   EXPECT_EQ(lastNamed(planner), "setRemedyTries");
 }
 
-TEST(ChangesThatHelp, ValuesAreReadByTheirWords)
+/** The changes that a refusal names, as a user gives them. */
+std::vector<std::string>
+wordsOf(const PlanInput& input, const Diagnostic& said)
 {
-  const Vector3d a(1, 5, 0), b(3, 2, 1), c(9, 9, 9);
-  const Diagnostic said("2 things at ", Place(c), ": from ", Place(a), " to ", Place(b), ", hollow with radius ", 1.5,
-                        " {mm}: a radius of ", 1.234, " {mm} fits; ", 7.0, " {mm2} at ", Place(b));
-  EXPECT_EQ(numberBehind(said, {"a radius of "}), 1.234);
-  EXPECT_EQ(numberBehind(said, {"thin to ", "hollow with radius "}), 1.5);
-  EXPECT_EQ(numberBehind(said, {"thin to "}), 0.0);
-  ASSERT_EQ(extentsOf(said).size(), 1U);
-  EXPECT_EQ(extentsOf(said)[0].min(), Vector3d(1, 2, 0));
-  EXPECT_EQ(extentsOf(said)[0].max(), Vector3d(3, 5, 1));
-  ASSERT_EQ(placesBehind(said, "{mm2} at ").size(), 1U);
-  EXPECT_EQ(placesBehind(said, "{mm2} at ")[0], b);
-  EXPECT_TRUE(uprightPrism(extentsOf(said)[0]).contains({2, 3, 77}));
-  EXPECT_FALSE(uprightPrism(extentsOf(said)[0]).contains({0.5, 3, 0}));
+  std::vector<std::string> words;
+  for (const SingleChange& change : singleChanges(input, {{StatusCode::Failed, said}, false}))
+    words.push_back(change.words.text());
+  return words;
+}
+
+TEST(ChangesThatHelp, EveryNumberThatIsProposedIsTriedWhateverTheSentence)
+{
+  const PlanInput input;
+  PlanInput tables;
+  std::size_t count = 0;
+  for (const Setting& setting : settingTable(tables.settings) + settingTable(tables))
+    if (std::holds_alternative<double*>(setting.target) && setting.range.takes(0.123) && textOf(setting) != "0.123") {
+      ++count;
+      EXPECT_EQ(wordsOf(input, Diagnostic("anything: ", Proposed(setting.setter, 0.1234))),
+                std::vector<std::string>{setting.setter + " 0.123"});
+    }
+  EXPECT_GE(count, 20U);
+  EXPECT_EQ(wordsOf(input, Diagnostic(Proposed("setMethod", "radial"))), std::vector<std::string>{"setMethod radial"});
+  EXPECT_TRUE(wordsOf(input, Diagnostic("a radius of ", 1.0, " {mm}, thin to ", 2.0, " {mm} at ", Place({1, 2, 3}))).empty());
+}
+
+TEST(ChangesThatHelp, KeepOutsAreTriedTogetherAndPartsOneByOne)
+{
+  const PlanInput input;
+  const Diagnostic said(Proposed("addKeepOut", {3.0, 2.0, 1.0}, {1.0, 5.00001, 0.0}), " {addKeepOut} ",
+                        Proposed("addKeepOut", {7.0, 7.0, 0.0}, {8.0, 8.0, 0.0}), " {setPartAt} ", Proposed("setPartAt", Vector3d(1, 2, 3)),
+                        Proposed("setPartAt", Vector3d(4, 5, 6)));
+  EXPECT_EQ(wordsOf(input, said), (std::vector<std::string>{"setPartAt (1, 2, 3)", "setPartAt (4, 5, 6)",
+                                                            "addKeepOut from (1, 2, 0) to (3, 5.001, 1) and addKeepOut from (7, 7, 0) to "
+                                                            "(8, 8, 0)"}));
+  const std::vector<Prism> kept_out = singleChanges(input, {{StatusCode::Failed, said}, false}).back().input.choice.keep_outs;
+  ASSERT_EQ(kept_out.size(), 2U);
+  EXPECT_TRUE(kept_out[0].contains({2, 3, 77}));
+  EXPECT_FALSE(kept_out[0].contains({0.5, 3, 0}));
+}
+
+TEST(ChangesThatHelp, TheKeepOutThatIsEnteredGrows)
+{
+  PlanInput input;
+  input.choice.keep_outs = {box(-1.0, 1.0, -2.0, 2.0), box(20.0, 22.0, 0.0, 4.0)};
+  const Diagnostic said("by ", Proposed("addKeepOut", 0.5), " {mm} at ", Place({19.8, 1.0, 9.0}), " ({addKeepOut})");
+  const std::vector<SingleChange> changes = singleChanges(input, {{StatusCode::Failed, said}, false});
+  ASSERT_EQ(changes.size(), 1U);
+  const std::vector<Prism>& kept_out = changes[0].input.choice.keep_outs;
+  ASSERT_EQ(kept_out.size(), 3U);
+  for (const Vector3d& corner : input.choice.keep_outs[1].outline(100.0))
+    EXPECT_TRUE(kept_out[2].contains(corner));
+  EXPECT_TRUE(kept_out[2].contains({19.45, 1.0, 0.0}));
+  EXPECT_FALSE(kept_out[2].contains({18.9, 1.0, 0.0}));
+  EXPECT_FALSE(kept_out[2].contains({0.0, 0.0, 0.0}));
+}
+
+TEST(ChangesThatHelp, ValuesAreTriedAsTheyAreShown)
+{
   EXPECT_NEAR(roundedDown(1.2399), 1.23, 1e-12);
   EXPECT_NEAR(roundedDown(0.7 * 5.0), 3.5, 1e-12);
   EXPECT_LE(roundedDown(1.9999e-3), 1.9999e-3);
+  EXPECT_EQ(wordsOf(PlanInput(), Diagnostic(Proposed("setFlankLength", 20.01))), std::vector<std::string>{"setFlankLength 20.1"});
+}
+
+TEST(ChangesThatHelp, ALongerToolIsTriedWhereTheHolderCollides)
+{
+  Spiral planner;
+  prepare(disc(), planner);
+  planner.setHolder({ToolSegment::cylinder(8.0, 30.0, "chuck")});
+  planner.setFlankLength(4.0);
+  planner.setTiltAngle(-70.0);
+  planner.setRemedyTries(0);
+  planner.compute();
+  ASSERT_FALSE(planner.getStatus().ok());
+  const std::vector<Proposed> proposed = planner.getStatus().diagnostic().proposed();
+  ASSERT_EQ(proposed.size(), 1U) << planner.getStatus().message();
+  EXPECT_EQ(proposed[0].setting, "setFlankLength");
+  EXPECT_GT(std::get<double>(proposed[0].value), 4.0);
+  EXPECT_EQ(proposedButNotTried(planner), "");
+}
+
+TEST(ChangesThatHelp, ARefusalWithoutACandidateSaysSoAndPlansNothing)
+{
+  const ScanPtr few(new pcl::PointCloud<pcl::PointXYZ>);
+  for (int i = 0; i < 40; ++i)
+    few->emplace_back(0.9F * static_cast<float>(i % 7), 0.9F * static_cast<float>(i / 7), 0.0F);
+  few->sensor_origin_.head<3>() = Eigen::Vector3f(0.0F, 0.0F, 500.0F); // the side is known
+  Spiral planner;
+  prepare(few, planner);
+  planner.setProgressCallback([](double, const std::string& stage) {
+    EXPECT_NE(stage.rfind("trying change", 0), 0U);
+    return true;
+  });
+  planner.compute();
+  ASSERT_EQ(planner.getStatus().code(), StatusCode::InvalidInput) << planner.getStatus().message();
+  EXPECT_NE(planner.getStatus().message().find("There is no single change of the settings to try"), std::string::npos)
+      << planner.getStatus().message();
+  planner.setToolRadius(-1.0); // a bad number is refused at once, with its remedy alone
+  planner.compute();
+  EXPECT_EQ(planner.getStatus().code(), StatusCode::InvalidArgument);
+  EXPECT_EQ(planner.getStatus().message().find("single change"), std::string::npos);
+}
+
+TEST(ChangesThatHelp, AChangeOfACroppedInputIsTriedWithTheSurfaceBesideIt)
+{
+  const ScanPtr scan = plateWithout([](double x, double y) { return std::hypot(x, y) < 5.0; }, 25.0);
+  Spiral planner;
+  prepare(scan, planner);
+  planner.setCrop(box(-18.0, 18.0, -18.0, 18.0));
+  planner.setHoleSize(6.0);
+  planner.setHoleHandling(HoleHandling::Refuse);
+  EXPECT_NE(added(planner).find("one gives a path of"), std::string::npos) << planner.getStatus().message();
+}
+
+TEST(ChangesThatHelp, OnlyARefusalThatAsksForAScanNamesWhatItLacks)
+{
+  PlanInput input;
+  const ScanPtr scan = plate(20.0, 0.8);
+  scan->erase(std::remove_if(scan->begin(), scan->end(), [](const auto& p) { return std::hypot(p.x, p.y) < 6.0F; }), scan->end());
+  input.cloud = scan;
+  const Place sparse({0.0, 0.0, 0.0}), dense({12.0, 3.0, 0.0});
+  for (const char* remedy : {"{scan it again}", "{scan it again, more densely}", "{scan more densely}"}) {
+    const Diagnostic lack = lackOf(input, Diagnostic("at ", sparse, ": ", remedy));
+    ASSERT_EQ(lack.places().size(), 1U) << remedy;
+    EXPECT_EQ(lack.places()[0], sparse.position);
+    EXPECT_TRUE(lackOf(input, Diagnostic("at ", dense, ": ", remedy)).empty()) << remedy;
+  }
+  for (const char* remedy : {"take a longer tool ({setFlankLength})", "crop the {scan} to the part ({setCrop})", "({addKeepOut})"})
+    EXPECT_TRUE(lackOf(input, Diagnostic("at ", sparse, ": ", remedy)).empty()) << remedy;
 }
 
 } // namespace changes_that_help_test
