@@ -1,16 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "errors.h"
 
+#include "common/formatted_text.h"
+
 #include <pybind11/stl.h>
 
 #include <utility>
+#include <variant>
 
 namespace pcl_spiral::python {
+namespace {
+
+/** The value as Python has it; a box as the only polygon of a list. */
+std::string
+pythonText(const Proposed::Value& value, const ReadOptions& read)
+{
+  if (const auto* word = std::get_if<std::string>(&value))
+    return "'" + *word + "'";
+  if (const auto* place = std::get_if<Eigen::Vector3d>(&value))
+    return placeText(shown(*place, read));
+  if (const auto* box = std::get_if<Extents>(&value)) {
+    const Eigen::Vector3d a = shown(box->low, read), b = shown(box->high, read);
+    return formatted("[[(%.12g, %.12g), (%.12g, %.12g), (%.12g, %.12g), (%.12g, %.12g)]]", a.x(), a.y(), b.x(), a.y(), b.x(), b.y(), a.x(),
+                     b.y());
+  }
+  return Diagnostic(std::get<double>(value)).text();
+}
+
+} // namespace
 
 Words::Words(Vocabulary given, const ReadOptions& given_read) : vocabulary(std::move(given)), read(given_read)
 {
   if (read.unit != LengthUnit::Millimetre || !read.origin.isZero())
     vocabulary.place = [given_read](const Eigen::Vector3d& place) { return placeText(shown(place, given_read)); };
+  vocabulary.given = [given_read](const Proposed::Value& value) { return pythonText(value, given_read); };
 }
 
 void

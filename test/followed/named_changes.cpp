@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "named_changes.h"
 
+#include "support/typed_words.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -17,6 +19,7 @@ using Eigen::Vector3d;
 const std::string number = "(-?[0-9.]+(?:e[-+]?[0-9]+)?)";
 const std::string place = "\\(" + number + ", " + number + ", " + number + "\\)";
 const std::string tried_words = "one gives a path of ", two_words = "two together give a path of ";
+const std::string more_tries = "The search ended after ", no_change = "There is no single change of the settings to try";
 
 /** The option with another value, or added. */
 Command
@@ -155,7 +158,7 @@ private:
   std::optional<Command> keepOut(const std::string& before) const
   {
     std::smatch value;
-    if (before.find("enlarge the polygon") != std::string::npos || before.find("keep-outs wider by") != std::string::npos)
+    if (before.find("enlarge the polygon") != std::string::npos)
       return larger();
     const std::regex extents("from " + place + " to " + place);
     const auto add = [&](const std::string& where) {
@@ -215,28 +218,6 @@ triedChange(const std::string& said)
 
 const std::regex option("--[a-z][a-z-]*");
 
-/** All that \p words name, one after the other. */
-Command
-together(const RefusedInput& input, Command command, const std::string& words, const ScratchFolder& folder)
-{
-  bool kept_out = false; // all extents are in the first one
-  for (auto at = std::sregex_iterator(words.begin(), words.end(), option); at != std::sregex_iterator(); ++at) {
-    const bool is_keep_out = at->str() == "--keep-out";
-    if (is_keep_out && kept_out)
-      continue;
-    kept_out = kept_out || is_keep_out;
-    if (at->position() >= 8 && words.compare(static_cast<std::size_t>(at->position()) - 8, 8, "without ") == 0) {
-      const auto given = std::find(command.begin(), command.end(), at->str());
-      if (given != command.end())
-        command.erase(given, given + 2);
-      continue;
-    }
-    if (const auto change = Reading(input, command, words, folder).changeAt(static_cast<std::size_t>(at->position()), at->str()))
-      command = *change;
-  }
-  return command;
-}
-
 } // namespace
 
 bool
@@ -248,7 +229,10 @@ plannerTried(const std::string& said)
 bool
 onlyAnotherScan(const std::string& said)
 {
-  if (said.find("none gives a path: ") != std::string::npos || said.find("What the scan lacks") != std::string::npos)
+  if (said.find(more_tries) != std::string::npos)
+    return false;
+  if (said.find("none gives a path: ") != std::string::npos || said.find("What the scan lacks") != std::string::npos ||
+      (said.find(no_change) != std::string::npos && !std::regex_search(said, option)))
     return true;
   const bool scan = said.find("scan it again") != std::string::npos || said.find("more densely") != std::string::npos;
   return scan && !std::regex_search(said, option);
@@ -258,7 +242,10 @@ std::vector<Command>
 namedChanges(const RefusedInput& input, const Command& command, const std::string& said, const ScratchFolder& folder)
 {
   if (const std::size_t at = triedChange(said); at != std::string::npos)
-    return {together(input, command, said.substr(at), folder)};
+    return {test::typedChange(command, said.substr(at))};
+  std::smatch tries;
+  if (std::regex_search(said, tries, std::regex(more_tries + "--remedy-tries " + number + "; --remedy-tries " + number + " tries more")))
+    return {with(command, "--remedy-tries", tries[2])};
   std::vector<Command> changes;
   const Reading reading(input, command, said, folder);
   for (auto at = std::sregex_iterator(said.begin(), said.end(), option); at != std::sregex_iterator(); ++at)

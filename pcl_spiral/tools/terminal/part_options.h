@@ -21,7 +21,7 @@ struct PartOptions {
   std::optional<Eigen::Vector3d> part_at; ///< a place on the part
   std::string crop;                       ///< a box, or the file of a polygon
   std::string region;                     ///< the file of a polygon; empty: all that the crop leaves
-  std::vector<std::string> keep_outs;     ///< files of polygons
+  std::vector<std::string> keep_outs;     ///< boxes, or files of polygons
   pcl_spiral::ClusterHandling clusters = pcl_spiral::ClusterHandling::Refuse;
 
   bool cuts() const { return !crop.empty() || !region.empty() || !keep_outs.empty(); } ///< whether points are left out by their place

@@ -26,14 +26,21 @@ hasFilePlaces()
   return run_read.unit != LengthUnit::Millimetre || !run_read.origin.isZero();
 }
 
+/** A place of the scan as the file has it, to 0.001 mm, as placeText shows it. */
+Eigen::Vector3d
+inFile(const Eigen::Vector3d& place)
+{
+  const Eigen::Vector3d shown = (1e3 * place).array().round() / 1e3;
+  return shown / millimetres(run_read.unit) + run_read.origin;
+}
+
 /** " (in the file 1,2,3)" for a place of the scan, if the file has other coordinates. */
 std::string
 filePlace(const Eigen::Vector3d& place)
 {
   if (!hasFilePlaces())
     return "";
-  const Eigen::Vector3d shown = (1e3 * place).array().round() / 1e3; // as placeText
-  const Eigen::Vector3d p = shown / millimetres(run_read.unit) + run_read.origin;
+  const Eigen::Vector3d p = inFile(place);
   return formatted(" (in the file %.10g,%.10g,%.10g)", p.x(), p.y(), p.z());
 }
 
@@ -103,6 +110,21 @@ std::string
 shownPlace(const Eigen::Vector3d& place)
 {
   return placeText(inScan(place)) + filePlace(inScan(place));
+}
+
+std::string
+optionValue(const Proposed::Value& value)
+{
+  if (const auto* place = std::get_if<Eigen::Vector3d>(&value)) {
+    const Eigen::Vector3d p = inFile(inScan(*place));
+    return formatted("%.12g,%.12g,%.12g", p.x(), p.y(), p.z());
+  }
+  if (const auto* box = std::get_if<Extents>(&value)) {
+    const Eigen::Vector3d low = inFile(inScan(box->low)), high = inFile(inScan(box->high));
+    return formatted("%.12g,%.12g,%.12g,%.12g", low.x(), high.x(), low.y(), high.y());
+  }
+  const auto* word = std::get_if<std::string>(&value);
+  return word ? *word : Diagnostic(std::get<double>(value)).text();
 }
 
 SpiralReport

@@ -10,6 +10,7 @@
 
 #include "option_table.h"
 
+#include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_report.h>
 #include <pcl_spiral/verify/verification.h>
@@ -54,6 +55,9 @@ pcl_spiral::Verification inScan(pcl_spiral::Verification verification);
 
 /** The text of a place: in the coordinates of the scan, and " (in the file 1,2,3)" behind it if the file has others than mm in the scan. */
 std::string shownPlace(const Eigen::Vector3d& place);
+
+/** The value as an option takes it: a place as 1,2,3 and a box as xmin,xmax,ymin,ymax, in the coordinates of the file. */
+std::string optionValue(const pcl_spiral::Proposed::Value& value);
 
 /** "393775000, 3689071000, 0 mm" */
 std::string shiftText();

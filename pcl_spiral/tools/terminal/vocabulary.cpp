@@ -157,6 +157,7 @@ programWords()
   if (of_mesh)
     vocabulary.words.insert(std::begin(mesh_words), std::end(mesh_words));
   vocabulary.place = shownPlace;
+  vocabulary.given = optionValue;
   return vocabulary;
 }
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A change that a refusal names can be typed as it stands: the options' reader makes the input of it that the planner tried.
+#include "planning/single_change.h"
+#include "support/typed_words.h"
+#include "terminal/vocabulary.h"
+#include "toolpath/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+namespace typed_changes_test {
+namespace {
+
+using namespace pcl_spiral;
+using Eigen::Vector3d;
+using Words = std::vector<std::string>;
+
+const Words usual{"pcl_spiral_toolpath", "scan.xyz", "-o", "path.csv", "--tool-radius", "5", "--scallop", "0.1"};
+
+Job
+parsed(const Words& words)
+{
+  std::vector<const char*> arguments;
+  for (const std::string& word : words)
+    arguments.push_back(word.c_str());
+  return parseCommandLine(static_cast<int>(arguments.size()), arguments.data());
+}
+
+/** The input of a planner, in the coordinates of the scan. */
+PlanInput
+inputOf(const Job& job)
+{
+  PlanInput input;
+  input.settings = job.settings;
+  input.choice = choiceOf(job.part, job.read);
+  for (const Vector3d& place : job.regions.places)
+    input.choice.part_at = placeInScan(place, readAsScan(job.read));
+  input.ball_closing = job.ball_closing;
+  input.flank_length = job.flank_length;
+  return input;
+}
+
+void
+expectSame(const PlanInput& a, const PlanInput& b, const std::string& words)
+{
+  SpiralSettings of_a = a.settings, of_b = b.settings;
+  const std::vector<Setting> table_a = settingTable(of_a), table_b = settingTable(of_b);
+  for (std::size_t i = 0; i < table_a.size(); ++i)
+    EXPECT_EQ(textOf(table_a[i]), textOf(table_b[i])) << table_a[i].name << " by " << words;
+  EXPECT_EQ(a.ball_closing, b.ball_closing) << words;
+  EXPECT_NEAR(a.flank_length, b.flank_length, 1e-9) << words;
+  EXPECT_EQ(a.choice.clusters, b.choice.clusters) << words;
+  ASSERT_EQ(a.choice.part_at.has_value(), b.choice.part_at.has_value()) << words;
+  if (a.choice.part_at)
+    EXPECT_LT((*a.choice.part_at - *b.choice.part_at).norm(), 1e-3) << words; // as shown
+  ASSERT_EQ(a.choice.keep_outs.size(), b.choice.keep_outs.size()) << words;
+  for (std::size_t k = 0; k < a.choice.keep_outs.size(); ++k) {
+    const std::vector<Vector3d> corners = a.choice.keep_outs[k].outline(1e9), others = b.choice.keep_outs[k].outline(1e9);
+    ASSERT_EQ(corners.size(), others.size()) << words;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      EXPECT_LT((corners[i] - others[i]).norm(), 1e-4) << words; // twelve digits of inches
+  }
+}
+
+/** Types each change of the input of \p command that a refusal may name; the options that they have. */
+std::set<std::string>
+typeEach(const Words& command)
+{
+  PlanInput input = inputOf(parsed(command));
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (int i = 0; i < 100; ++i)
+    cloud->emplace_back(static_cast<float>(i), 0.0F, 0.0F);
+  cloud->sensor_origin_.head<3>() = Eigen::Vector3f(0.0F, 0.0F, 500.0F);
+  input.cloud = cloud;
+  const Diagnostic said(
+      "at ", Place({1.23456, 2.0, 3.0}), " parts ", Proposed("setPartAt", Vector3d(-12.3456, 7.0, 0.0004)), " and ",
+      Proposed("setPartAt", Vector3d(-1.0, 0.0, 0.0)), ", things ",
+      Proposed("addKeepOut", Vector3d(-3.00004, 1.0, 2.0), Vector3d(4.5, 6.78912, 2.0)), " and ",
+      Proposed("addKeepOut", Vector3d(40.0, 1.0, 2.0), Vector3d(44.0, 6.0, 2.0)), ", thin to ", Proposed("setThinning", 0.123456),
+      ", a radius of ", Proposed("setToolRadius", 1.98765), ", ", Proposed("setFlankLength", 33.321),
+      " ({setMethod}, {setSense}, {setScallopHeight}, {setTiltAngle}, {setBoundaryMode}, {setHoleHandling}, {setHoleSize}, "
+      "{setPartAt}, {addKeepOut}, {setGapHandling}, {setClusterHandling(ClusterHandling::Ride)})");
+  std::set<std::string> options;
+  for (const SingleChange& change : singleChanges(input, {{StatusCode::Failed, said}, true})) {
+    const std::string words = inWords(change.words);
+    expectSame(inputOf(parsed(test::typedChange(command, words))), change.input, words);
+    std::istringstream text(words);
+    for (std::string word; text >> word;)
+      if (word.rfind("--", 0) == 0)
+        options.insert(word.substr(0, word.find(',')));
+  }
+  return options;
+}
+
+} // namespace
+
+TEST(TypedChanges, GiveWhatWasTried)
+{
+  Words command = usual;
+  const Words more{"--tilt", "20", "--boundaries", "all", "--holes", "refuse", "--hole-size", "4", "--gaps", "refuse", "--sense", "cw"};
+  command.insert(command.end(), more.begin(), more.end());
+  setScanFrame(Vector3d::Zero(), readFindingOrigin());
+  const std::set<std::string> expected{"--ball-closing", "--boundaries", "--clusters", "--flank-length", "--gaps",
+                                       "--hole-size",    "--holes",      "--keep-out", "--method",       "--part-at",
+                                       "--scallop",      "--sense",      "--thin",     "--tilt",         "--tool-radius"};
+  EXPECT_EQ(typeEach(command), expected);
+}
+
+TEST(TypedChanges, PlacesAreInTheCoordinatesOfTheFile)
+{
+  Words command = usual;
+  const Words more{"--units", "inch", "--origin", "393775,3689071,0"};
+  command.insert(command.end(), more.begin(), more.end());
+  const Job job = parsed(command);
+  setScanFrame(Vector3d(1000.0, 2000.0, 0.0), job.read);
+  EXPECT_GE(typeEach(command).size(), 8U);
+  setScanFrame(Vector3d::Zero(), readFindingOrigin());
+}
+
+} // namespace typed_changes_test
