@@ -65,6 +65,16 @@ remedyFor(const MachineProgram& program, const LeadCollision& deepest)
       " {degrees}, because the rotary axis would turn too fast: keep the axis of the path ({ProgramSettings::pole_cone} 0), ");
 }
 
+/** How far away the holder must begin so that it stays off the place of \p deepest: no nearer than the place is to the tip. */
+Diagnostic
+longerTool(const ToolWay& asked, const LeadCollision& deepest)
+{
+  const double length = (deepest.place - deepest.tip).norm() + asked.tool.holder_clearance;
+  if (!asked.is_ball || deepest.part != ToolPart::Holder || !(length > asked.tool.cutter.flank_length))
+    return "";
+  return Diagnostic(": ", Proposed("setFlankLength", length), " {mm} clear that place");
+}
+
 /** The whole scan without the clusters that are left out as false echoes. */
 pcl::PointCloud<pcl::PointXYZ>::ConstPtr
 obstaclesOf(const SpiralPlan& plan)
@@ -125,7 +135,7 @@ check(const ToolWay& asked, const Way& way, Diagnostics& warnings)
   else
     return {StatusCode::Failed,
             Diagnostic(collisionText(asked.tool, obstacles.deepest), counted(obstacles), ": ", remedyFor(way, obstacles.deepest),
-                       asked.remedy, ", or {setAcceptCollisions} to write the output anyway")};
+                       asked.remedy, longerTool(asked, obstacles.deepest), ", or {setAcceptCollisions} to write the output anyway")};
   return Status::success();
 }
 
@@ -154,7 +164,8 @@ wayOf(const SpiralPlan& plan)
   if (!way.mesh)
     way.points = obstaclesOf(plan);
   way.remedy = Diagnostic("lean the tool another way (", plan.settings.fixed_axis ? "{setFixedAxis}" : "{setTiltAngle}, {setLeadAngle}",
-                          "), take a longer tool ({setFlankLength}) or a thinner {setHolder}");
+                          "), take a thinner {setHolder} or a longer tool ({setFlankLength})");
+  way.is_ball = true;
   return way;
 }
 
