@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Refused inputs, and a user who does what the messages say, word by word: within three commands there is a path that is right by the raw
 // points, or a refusal that says that nothing but another scan helps.
-// Exit code 1 if one ends in another way, 2 for a wrong command.
+// Exit code 1 if one ends in another way, or in another than --end says; 2 for a wrong command.
 #include "refused_input.h"
 #include "user.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 
 using namespace pcl_spiral::followed;
@@ -21,6 +22,14 @@ struct Choice {
   std::uint64_t seed = 1, first = 0, count = 1;
   std::string program = PCL_SPIRAL_TOOLPATH_PROGRAM;
   bool all = false; ///< tell each story, not only the bad ones
+  std::string end;  ///< that each must have; empty: any good one
+
+  bool isBad(End reached) const
+  {
+    if (!end.empty())
+      return end != ends[static_cast<int>(reached)];
+    return reached == End::Wrong || reached == End::DeadEnd || reached == End::Loop;
+  }
 };
 
 bool
@@ -36,12 +45,15 @@ take(const std::string& name, const char* value, Choice& choice)
     choice.count = std::strtoull(value, nullptr, 10);
   else if (name == "--program")
     choice.program = value;
+  else if (name == "--end")
+    choice.end = value;
   else if (name == "--stories")
     choice.all = std::string(value) == "all";
   else
     return false;
   const std::vector<std::string> all = kinds();
-  return std::find(all.begin(), all.end(), choice.kinds.front()) != all.end();
+  const bool has_end = choice.end.empty() || std::find(std::begin(ends), std::end(ends), choice.end) != std::end(ends);
+  return has_end && std::find(all.begin(), all.end(), choice.kinds.front()) != all.end();
 }
 
 void
@@ -63,8 +75,8 @@ main(int argc, char** argv)
   Choice choice;
   for (int i = 1; i < argc; i += 2)
     if (i + 1 == argc || !take(argv[i], argv[i + 1], choice)) {
-      std::fprintf(stderr,
-                   "usage: pcl_spiral_followed [--kind NAME] [--seed N] [--first N] [--count N] [--program FILE] [--stories all]\n");
+      std::fprintf(stderr, "usage: pcl_spiral_followed [--kind NAME] [--seed N] [--first N] [--count N] [--program FILE] [--stories all] "
+                           "[--end NAME]\n");
       return 2;
     }
   std::map<std::string, std::map<End, std::size_t>> counts;
@@ -74,7 +86,7 @@ main(int argc, char** argv)
       const ScratchFolder folder;
       const RefusedInput input = makeInput(kind, choice.seed, index);
       const Followed done = follow(input, choice.program, folder);
-      const bool is_bad = done.end == End::Wrong || done.end == End::DeadEnd || done.end == End::Loop;
+      const bool is_bad = choice.isBad(done.end);
       ++counts[kind][done.end];
       bad += is_bad ? 1 : 0;
       print(input, done, is_bad || choice.all);
