@@ -35,15 +35,15 @@ main()
     estimation.compute(boundary);
     if (!estimation.getStatus().ok())
       return 1;
-    int marked = 0, stray = 0;
+    int marked = 0, far = 0;
     for (std::size_t i = 0; i < boundary.size(); ++i)
       if (boundary[i].boundary_point) {
         const pcl::PointXYZ& p = (*cloud)[i];
         const float rim = std::min(std::min(p.x, 100 - p.x), std::min(p.y, 100 - p.y));
         ++marked;
-        stray += std::min(rim, std::hypot(p.x - 50, p.y - 50) - 15) > 3.0f;
+        far += std::min(rim, std::hypot(p.x - 50, p.y - 50) - 15) > 3.0f;
       }
-    std::printf("%-12s %4d boundary points, %d of them more than 3 mm from an outline\n", c.name, marked, stray);
+    std::printf("%-12s %4d boundary points, %d of them more than 3 mm from an outline\n", c.name, marked, far);
   }
   std::printf("score of the first point: %.4f\n", estimation.getScores()[0]);
   return 0;

@@ -34,8 +34,8 @@ main()
     return 1; // the class has reported the error; scanned.getStatus() has it too
 
   const pcl_spiral::SurfaceCounts& counts = surface->counts();
-  std::printf("%zu points: %zu not finite, %zu repeated, %zu isolated, %zu in specks, %zu surplus, %zu used\n", counts.input,
-              counts.nonfinite, counts.duplicate, counts.isolated, counts.speck, counts.surplus, counts.used);
+  std::printf("%zu points: %zu not finite, %zu repeated, %zu isolated, %zu in clusters, %zu surplus, %zu used\n", counts.input,
+              counts.nonfinite, counts.duplicate, counts.isolated, counts.clustered, counts.surplus, counts.used);
   for (const Eigen::Vector3f& place : surface->leftOut().positions)
     std::printf("  left out: (%.1f, %.1f, %.1f)\n", place.x(), place.y(), place.z());
   std::printf("spacing %.3f mm, noise %.5f mm\n", surface->spacing(), surface->noise());

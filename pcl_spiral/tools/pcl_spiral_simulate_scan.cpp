@@ -91,7 +91,7 @@ simulate(const Scan& scan)
       const double angle = (i + phase) * angle_step;
       const Eigen::Vector3d beam(0, std::sin(angle), -std::cos(angle));
       const auto t = range(scan, laser, beam);
-      const double error = uniform(random) < scan.outliers ? strayDistance(uniform(random)) : scan.noise * noise(random);
+      const double error = uniform(random) < scan.outliers ? outlierDistance(uniform(random)) : scan.noise * noise(random);
       if (!t)
         continue;
       const Eigen::Vector3d p = laser + *t * beam;
@@ -125,7 +125,7 @@ simulateColumn(const Scan& scan)
     const double angle = 2 * pi * line / lines, phase = uniform(random);
     for (int i = 0; i < points; ++i) {
       const double z = (i + phase) * scan.point_spacing;
-      const double error = uniform(random) < scan.outliers ? strayDistance(uniform(random)) : scan.noise * noise(random);
+      const double error = uniform(random) < scan.outliers ? outlierDistance(uniform(random)) : scan.noise * noise(random);
       const double r = columnRadius(scan, angle, z) + error;
       cloud.emplace_back(static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)), static_cast<float>(z));
     }

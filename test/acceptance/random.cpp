@@ -87,7 +87,7 @@ isToldWell(const RandomCase& made)
   if (1.5 * made.spacing > std::sqrt(8.0 * s.tool_radius * s.scallop_height))
     return false;
   const double sag = made.spacing * made.spacing * made.bend / 8.0;
-  return made.noise == 0.0 && made.strays == 0 && made.even && sag < 0.3 * s.chord_error && made.spacing * made.bend < 0.1 &&
+  return made.noise == 0.0 && made.outliers == 0 && made.even && sag < 0.3 * s.chord_error && made.spacing * made.bend < 0.1 &&
          s.tool_radius * made.concave < 0.5;
 }
 

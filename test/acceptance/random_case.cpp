@@ -129,8 +129,8 @@ void
 spoil(test::Random& random, RandomCase& made, double size, std::vector<Eigen::Vector3d>& points)
 {
   if (random.uniform() < 0.3) {
-    made.strays = static_cast<std::size_t>(0.02 * random.uniform() * static_cast<double>(points.size()));
-    for (std::size_t i = 0; i < made.strays; ++i)
+    made.outliers = static_cast<std::size_t>(0.02 * random.uniform() * static_cast<double>(points.size()));
+    for (std::size_t i = 0; i < made.outliers; ++i)
       points.emplace_back(size * random.uniform(-1.5, 1.5), size * random.uniform(-1.5, 1.5), size * random.uniform(-1, 1));
   }
   if (random.uniform() < 0.2)
@@ -147,7 +147,7 @@ inWords(const RandomCase& made, const std::string& surface, const std::string& o
   const SpiralSettings& s = made.settings;
   std::ostringstream text;
   text << surface << ' ' << outline << ", " << points << " points " << made.spacing << " apart" << (made.even ? "" : " in lines")
-       << ", noise " << made.noise << ", " << made.strays << " strays, bend " << made.bend << ", R " << s.tool_radius << ", scallop "
+       << ", noise " << made.noise << ", " << made.outliers << " outliers, bend " << made.bend << ", R " << s.tool_radius << ", scallop "
        << s.scallop_height << ", chord " << s.chord_error;
   return text.str();
 }

@@ -29,7 +29,7 @@ struct RandomCase {
   double noise = 0.0;   ///< standard deviation along the normal
   double bend = 0.0;    ///< largest normal curvature, 1/mm
   double concave = 0.0; ///< largest concave curvature, 1/mm
-  std::size_t strays = 0;
+  std::size_t outliers = 0;
   bool even = true; ///< spread evenly over the area; otherwise in scan lines
 };
 

@@ -340,12 +340,12 @@ TEST(Drive, ASquareColumnGoesRoundTheAxisGiven)
   }
 }
 
-TEST(Drive, StraysAreClimbedOverOrLeftOut)
+TEST(Drive, OutliersAreClimbedOverOrLeftOut)
 {
   const ScratchFolder folder;
-  writeText(folder.path("strays.xyz"), capScan(6000) + "3 4 9\n-12 5 7\n20 -9 6\n");
+  writeText(folder.path("outliers.xyz"), capScan(6000) + "3 4 9\n-12 5 7\n20 -9 6\n");
   const auto highest = [&](const std::vector<std::string>& more, RunResult& done) {
-    std::vector<std::string> call{"strays.xyz", "--tool-radius", "4", "--step-over", "2", "--tolerance", "0.1", "-o", "a.csv"};
+    std::vector<std::string> call{"outliers.xyz", "--tool-radius", "4", "--step-over", "2", "--tolerance", "0.1", "-o", "a.csv"};
     call.insert(call.end(), more.begin(), more.end());
     done = endOf(startProgram(program, call, folder), folder);
     double z = -1e9;

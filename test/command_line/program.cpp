@@ -301,7 +301,7 @@ TEST(Program, LeadsIntoTheOtherSideOfAWellAreRefused)
   expectHas(accepted.err, "warning: a shank as wide as the cutter would be ");
 }
 
-TEST(Program, OnlyStraysInTheWayOfLeadsAreAWarning)
+TEST(Program, OnlyOutliersInTheWayOfLeadsAreAWarning)
 {
   const ScratchFolder folder;
   std::mt19937 random(8);

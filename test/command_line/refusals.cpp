@@ -287,11 +287,11 @@ TEST_F(Refusals, WarningsAboutUnitsAndNoise)
     p[2] += normal(random);
   EXPECT_TRUE(has(warnings(noisy, {}), "scallop height asked for, 0.02 mm, is below the noise of the scan, 0.0"));
   EXPECT_FALSE(has(warnings(noisy, {"--scallop", "0.1"}), "noise"));
-  // Strays and specks are one message.
-  const Points speck = moved(cap(90, 4.0), 0.0, 0.0, 60.0);
-  const std::string stray = warnings(part + speck + Points{{0.0, 0.0, 500.0}}, {"--clusters", "leave-out"});
-  EXPECT_TRUE(has(stray, "91 outliers were left out: 1 isolated")) << stray;
-  EXPECT_TRUE(has(stray, "90 in clusters apart from the surface")) << stray;
+  // Isolated points and clusters are one message.
+  const Points cluster = moved(cap(90, 4.0), 0.0, 0.0, 60.0);
+  const std::string said = warnings(part + cluster + Points{{0.0, 0.0, 500.0}}, {"--clusters", "leave-out"});
+  EXPECT_TRUE(has(said, "91 outliers were left out: 1 isolated")) << said;
+  EXPECT_TRUE(has(said, "90 in clusters apart from the surface")) << said;
 }
 
 } // namespace refusals_test

@@ -72,10 +72,10 @@ public:
     }
     for (const std::uint32_t i : isolated_)
       left_out_[i] = 1;
-    source_.strays.clear();
+    source_.outliers.clear();
     for (std::uint32_t i = 0; i < left_out_.size(); ++i)
       if (left_out_[i])
-        source_.strays.push_back(i);
+        source_.outliers.push_back(i);
     return status;
   }
 
@@ -111,7 +111,7 @@ private:
     constexpr int rounds = 5;
     constexpr double some = 0.001; // of the points
     for (int round = 0; round < rounds; ++round) {
-      Indices found = unionOf(unionOf(graph_.strayPoints(), sparseClusters(graph_)), spikeOutliers(graph_));
+      Indices found = unionOf(unionOf(graph_.isolatedPoints(), sparseClusters(graph_)), spikeOutliers(graph_));
       const std::size_t used = source_.indices.size(), outliers = left_out_.size() - source_.surplus - used + found.size();
       if (static_cast<double>(outliers) > some * static_cast<double>(used))
         found = unionOf(found, isolatedOutliers(graph_));

@@ -96,7 +96,7 @@ isSpike(std::uint32_t i, DeletedResidual& residual)
 std::vector<std::uint32_t>
 spikeOutliers(const SurfaceGraph& graph)
 {
-  const std::vector<std::uint32_t>& candidates = graph.doubtfulPoints();
+  const std::vector<std::uint32_t>& candidates = graph.spikeCandidates();
   std::vector<std::uint8_t> found(candidates.size(), 0), is_candidate(graph.size(), 0);
   for (const std::uint32_t i : candidates)
     is_candidate[i] = 1;

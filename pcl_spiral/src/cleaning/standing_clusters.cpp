@@ -57,12 +57,12 @@ struct SurePoints {
 
   explicit SurePoints(const SurfaceGraph& graph) : spacing(graph.spacing())
   {
-    std::vector<std::uint8_t> is_doubtful(graph.size(), 0);
-    for (const std::uint32_t i : graph.doubtfulPoints())
-      is_doubtful[i] = 1;
+    std::vector<std::uint8_t> is_candidate(graph.size(), 0);
+    for (const std::uint32_t i : graph.spikeCandidates())
+      is_candidate[i] = 1;
     std::vector<Eigen::Vector3f> points, unsorted;
     for (std::size_t i = 0; i < graph.size(); ++i)
-      if (!is_doubtful[i]) {
+      if (!is_candidate[i]) {
         points.push_back(graph.blocks().point(i));
         unsorted.push_back(graph.normals()[i]);
       }

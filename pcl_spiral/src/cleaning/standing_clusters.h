@@ -25,7 +25,7 @@ struct StandingPoints {
   double largest_height = 0.0;           ///< without sign
 };
 
-/** Which of \p points, outliers and doubtful points of \p graph, stand off its surface together.
+/** Which of \p points, outliers and spike candidates of \p graph, stand off its surface together.
  *
  *  A point stands off the surface if its height over the surface of its neighbours, on the outer side, is more than eight times
  *  the noise, theirs and the usual one, and 0.3 of the spacing, and it is not beyond the rim by more than a spacing.
@@ -35,7 +35,7 @@ struct StandingPoints {
  *  number on the whole surface (leastSpread). Groups of a size that is
  *  expected 0.3 times or more are no clusters. Points within six spacings of a cluster join it, also those beyond the rim or over a
  *  hole, as the middle of a clamp that hides the surface: alone these are no reason for a cluster. The surface is that of
- *  spikeOutliers, fitted to the points of the graph that are not doubtful. */
+ *  spikeOutliers, fitted to the points of the graph that are no candidates. */
 StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points);
 
 /** "9 clusters of points stand off the surface: 6 points at (1, 2, 3), 10 mm across and 5.4 mm high, from (-3, 0, 2) to (5, 4, 3), ...

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/collision/impl/false_echoes.h>
 
-#include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/cleaning/outlier_removal.h>
 
 #include <omp.h>
 
@@ -18,7 +18,7 @@ withoutEchoes(const std::vector<Eigen::Vector3f>& points, std::size_t largest)
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (const Eigen::Vector3f& point : points)
     cloud->emplace_back(point.x(), point.y(), point.z());
-  StrayRemoval<pcl::PointXYZ> removal;
+  OutlierRemoval<pcl::PointXYZ> removal;
   removal.setLargestGroup(largest);
   removal.setNumberOfThreads(static_cast<unsigned int>(omp_get_max_threads()));
   removal.setInputCloud(cloud);

@@ -94,7 +94,7 @@ planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const
   const SurfaceGraph none;
   const SurfaceGraph& graph = surface ? surface->graph() : none;
   if (surface)
-    report.stray_points = surface->counts().strays();
+    report.outlier_points = surface->counts().offSurface();
   if (!told(0.0, "passes"))
     return cancelled();
   const bool round = settings.goesRound() || settings.axisMode() == DriveAxisMode::Cylinder;

@@ -78,7 +78,7 @@ nearestPart(const SurfaceGraph& graph, const SurfaceParts& parts, const Eigen::V
 }
 
 bool
-isSpeck(const SurfacePart& part, const SurfacePart& first, std::size_t all_triangles, double share)
+isCluster(const SurfacePart& part, const SurfacePart& first, std::size_t all_triangles, double share)
 {
   return static_cast<double>(part.triangles) <= share * static_cast<double>(all_triangles) && part.area <= 2.0 * first.area;
 }
@@ -86,17 +86,17 @@ isSpeck(const SurfacePart& part, const SurfacePart& first, std::size_t all_trian
 OtherParts
 otherParts(const std::vector<SurfacePart>& parts, double share)
 {
-  constexpr double specks_together = 10.0; // of the largest one
+  constexpr double clusters_together = 10.0; // of the largest one
   if (parts.size() < 2)
     return OtherParts::None;
   std::size_t all = 0;
   for (const SurfacePart& part : parts)
     all += part.triangles;
   for (std::size_t i = 1; i < parts.size(); ++i)
-    if (!isSpeck(parts[i], parts[0], all, share))
+    if (!isCluster(parts[i], parts[0], all, share))
       return OtherParts::TooLarge;
   const auto left_out = static_cast<double>(all - parts[0].triangles);
-  return left_out > specks_together * share * static_cast<double>(all) ? OtherParts::TooMany : OtherParts::Specks;
+  return left_out > clusters_together * share * static_cast<double>(all) ? OtherParts::TooMany : OtherParts::Clusters;
 }
 
 Diagnostic

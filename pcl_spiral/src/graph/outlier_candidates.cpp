@@ -37,11 +37,11 @@ pointsThat(std::size_t points, Counts counts, Name name)
 } // namespace
 
 std::vector<std::uint32_t>
-strayPoints(const PointBlocks& blocks, const StarSet& stars, const PointShapes& shapes, double far)
+isolatedPoints(const PointBlocks& blocks, const StarSet& stars, const PointShapes& shapes, double far)
 {
   constexpr double over_median = 8.0, over_spacing = 0.25, company = 0.5;
   const double usual = medianSize(shapes.heights);
-  const auto isStray = [&](std::uint32_t i) {
+  const auto isIsolated = [&](std::uint32_t i) {
     const double height = std::abs(shapes.heights[i]);
     if (shapes.radii[i] > far)
       return true;
@@ -52,11 +52,11 @@ strayPoints(const PointBlocks& blocks, const StarSet& stars, const PointShapes& 
         return false;
     return true;
   };
-  return pointsThat(blocks.size(), isStray, [&](std::uint32_t i) { return blocks.originalIndex(i); });
+  return pointsThat(blocks.size(), isIsolated, [&](std::uint32_t i) { return blocks.originalIndex(i); });
 }
 
 std::vector<std::uint32_t>
-doubtfulPoints(const StarSet& stars, const PointShapes& shapes)
+spikeCandidates(const StarSet& stars, const PointShapes& shapes)
 {
   constexpr double over_median = 6.0, over_spacing = 0.03;
   std::vector<float> off(shapes.heights.size());
@@ -70,10 +70,10 @@ doubtfulPoints(const StarSet& stars, const PointShapes& shapes)
     off[i] = shapes.heights[i] - (count > 0.0f ? about / count : 0.0f);
   });
   const double usual = medianSize(off);
-  const auto isDoubtful = [&](std::uint32_t i) {
+  const auto isCandidate = [&](std::uint32_t i) {
     return std::abs(off[i]) > std::max(over_median * usual, over_spacing * shapes.spacing(i));
   };
-  return pointsThat(off.size(), isDoubtful, [](std::uint32_t i) { return i; });
+  return pointsThat(off.size(), isCandidate, [](std::uint32_t i) { return i; });
 }
 
 } // namespace pcl_spiral

@@ -29,10 +29,10 @@ struct PointShapes {
 /** Isolated points off the surface: high over the plane of their neighbours, none of which is nearly as high. Along a
  *  crease points are high too, but not alone. Points farther than \p far from their neighbours count as well: they lie in
  *  the plane that they make with the rest. Original indices, ascending. */
-std::vector<std::uint32_t> strayPoints(const PointBlocks& blocks, const StarSet& stars, const PointShapes& shapes, double far);
+std::vector<std::uint32_t> isolatedPoints(const PointBlocks& blocks, const StarSet& stars, const PointShapes& shapes, double far);
 
 /** Points whose height differs from the mean of their neighbours by more than noise: where the curvature of the surface
  *  changes, or spikes. In the order of the blocks, ascending. */
-std::vector<std::uint32_t> doubtfulPoints(const StarSet& stars, const PointShapes& shapes);
+std::vector<std::uint32_t> spikeCandidates(const StarSet& stars, const PointShapes& shapes);
 
 } // namespace pcl_spiral

@@ -206,8 +206,8 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
   shapes.neighbours = p.neighbours;
   StarSet stars = visitAll(p.blocks, options.max_circumradius, shapes);
   const double usual_radius = median(shapes.radii);
-  p.stray = pcl_spiral::strayPoints(p.blocks, stars, shapes, far_off * usual_radius);
-  p.doubtful = pcl_spiral::doubtfulPoints(stars, shapes);
+  p.isolated = pcl_spiral::isolatedPoints(p.blocks, stars, shapes, far_off * usual_radius);
+  p.spike_candidates = pcl_spiral::spikeCandidates(stars, shapes);
   p.normals = std::move(shapes.normals);
   p.radii = std::move(shapes.radii);
   std::vector<float>().swap(shapes.heights);

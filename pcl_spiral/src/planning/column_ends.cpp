@@ -32,15 +32,15 @@ ColumnEnds::add(const Eigen::Vector3d& place)
 double
 ColumnEnds::missedBy(ColumnEnds& inner)
 {
-  constexpr std::size_t strays = 2;
+  constexpr std::size_t outliers = 2;
   double missed = 0.0;
   for (int k = 0; k < sectors; ++k) {
     std::vector<double>&outer = along_[k], &reached = inner.along_[k];
-    if (outer.size() <= 2 * strays)
+    if (outer.size() <= 2 * outliers)
       continue;
     std::sort(outer.begin(), outer.end());
     std::sort(reached.begin(), reached.end());
-    const double first = outer[strays], last = outer[outer.size() - 1 - strays];
+    const double first = outer[outliers], last = outer[outer.size() - 1 - outliers];
     missed = std::max(missed, reached.empty() ? last - first : std::max(reached.front() - first, last - reached.back()));
   }
   return missed;

@@ -47,7 +47,7 @@ chooseScan(const DrivePlanInput& input, const PartChoice& choice, const Progress
   if (input.leave_out_strays) {
     if (const Status status = leaveOutStrays(settings.threads, plan); !status.ok())
       return status;
-    clock.end("strays");
+    clock.end("outliers");
   }
   if (const Status status = makePartSurface(settings, partOf(progress, 0.0, scan_share), plan); !status.ok())
     return status;

@@ -2,7 +2,7 @@
 #include "planning/part_surface.h"
 
 #include "cleaning/standing_clusters.h"
-#include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/cleaning/outlier_removal.h>
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
@@ -32,7 +32,7 @@ keepOnly(const pcl::Indices& indices, PassPlan& plan)
 Status
 leaveOutStrays(unsigned int threads, PassPlan& plan)
 {
-  StrayRemoval<pcl::PointXYZ> removal;
+  OutlierRemoval<pcl::PointXYZ> removal;
   removal.setNumberOfThreads(threads);
   removal.setQuiet(true);
   removal.setInputCloud(plan.cloud);
@@ -40,9 +40,9 @@ leaveOutStrays(unsigned int threads, PassPlan& plan)
   removal.filter(indices);
   if (!removal.getStatus().ok())
     return removal.getStatus();
-  const StrayFigures& f = removal.getFigures();
-  if (f.strays > 0)
-    plan.warnings.push_back(Diagnostic(f.strays, " of ", plan.cloud->size(),
+  const OutlierFigures& f = removal.getFigures();
+  if (f.outliers > 0)
+    plan.warnings.push_back(Diagnostic(f.outliers, " of ", plan.cloud->size(),
                                        " points off the scanned surface were left out ({setLeaveOutStrays}); the largest group has ",
                                        f.largest_group, ", at ", Place(f.largest_group_place),
                                        f.largest_group > largest_echo ? ": such a group is not a false echo; check what is there" : ""));

@@ -86,7 +86,7 @@ takeScan(const RidgePlanInput& input, StageClock& clock, RidgePlan& plan)
   if (input.leave_out_strays) {
     if (const Status status = leaveOutStrays(input.surface.threads, plan); !status.ok())
       return status;
-    clock.end("strays");
+    clock.end("outliers");
   }
   const Status status = makePartSurface(input.surface, partOf(input.progress, 0.0, scan_share), plan);
   clock.end("surface");

@@ -64,7 +64,7 @@ findSeenParts(const PlanInput& input, SeenParts& seen)
     return Status::success();
   }
   const std::vector<SurfacePart> parts = surfaceParts(surface->graph()).parts;
-  if (otherParts(parts, largest_speck) == OtherParts::TooLarge)
+  if (otherParts(parts, largest_cluster) == OtherParts::TooLarge)
     seen.joined =
         Diagnostic("the {scan} has ", parts.size(), " separate parts, and closed by the ball ({setBallClosing}) those beside each ",
                    "other are one: ", partsText(parts), "; to cut only one of them, give a place on it ({setPartAt})");

@@ -75,7 +75,7 @@ reportSurface(const Surface& surface, bool made, SpiralReport& report)
   report.nonfinite_points = counts.nonfinite;
   report.duplicate_points = counts.duplicate;
   report.surplus_points = counts.surplus;
-  report.outlier_points = counts.outlier + counts.isolated + counts.speck;
+  report.outlier_points = counts.outlier + counts.isolated + counts.clustered;
   report.left_out_parts = counts.separate_parts;
   report.left_out_points = counts.other_part;
   report.used_points = counts.used;

@@ -14,12 +14,12 @@ countWarnings(const SurfaceCounts& counts, double spacing)
                                   " surplus points were left out: they lie much closer to each other than to the next scan line, or than "
                                   "points in the sparser part beside them; the path follows the others, ",
                                   spacing, " {mm} apart"));
-  if (const std::size_t off = counts.strays(); off > 0) {
+  if (const std::size_t off = counts.offSurface(); off > 0) {
     Diagnostic message = Diagnostic(off, off == 1 ? " outlier was" : " outliers were", " left out: ");
     if (counts.isolated > 0)
       message += Diagnostic(counts.isolated, " isolated");
-    if (counts.speck > 0)
-      message += Diagnostic(counts.isolated > 0 ? ", " : "", counts.speck, " in clusters apart from the surface");
+    if (counts.clustered > 0)
+      message += Diagnostic(counts.isolated > 0 ? ", " : "", counts.clustered, " in clusters apart from the surface");
     warnings.push_back(message);
   }
   return warnings;

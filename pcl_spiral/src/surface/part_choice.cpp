@@ -34,7 +34,7 @@ checkChosen(const SurfaceGraph& graph, const SurfaceSettings& settings)
   if (settings.part_at || settings.largest_part)
     return Status::success();
   const std::vector<SurfacePart> parts = surfaceParts(graph).parts;
-  if (otherParts(parts, largest_speck) != OtherParts::TooLarge)
+  if (otherParts(parts, largest_cluster) != OtherParts::TooLarge)
     return Status::success();
   return {StatusCode::InvalidInput, severalPartsText(parts)};
 }

@@ -40,7 +40,7 @@ public:
         return status;
     if (const Status status = checkConnected(); !status.ok())
       return status;
-    if (const Status status = leaveSpecksOut(); !status.ok())
+    if (const Status status = leaveClustersOut(); !status.ok())
       return status;
     if (!settings_.heights) // what stands there is of the surface
       if (const Status status = checkClusters(); !status.ok())
@@ -64,15 +64,15 @@ private:
     parts_.counts.passes += source.passes;
     if (!status.ok())
       return status;
-    parts_.counts.isolated += source.strays.size();
+    parts_.counts.isolated += source.outliers.size();
     parts_.counts.surplus += source.surplus;
-    for (const std::uint32_t i : source.strays)
+    for (const std::uint32_t i : source.outliers)
       isolated_.push_back(placeOf(i));
     if (source.indices.size() == given)
       return Status::success();
     for (std::uint32_t i = 0; i < given; ++i)
       mark(i, LeftOut::Surplus); // until found among those kept, or isolated
-    for (const std::uint32_t i : source.strays)
+    for (const std::uint32_t i : source.outliers)
       mark(i, LeftOut::Isolated);
     for (const std::uint32_t i : source.indices)
       why_[placeOf(i)] = -1;
@@ -151,18 +151,18 @@ private:
     return keepPart(apart, LeftOut::OtherPart);
   }
 
-  Status leaveSpecksOut()
+  Status leaveClustersOut()
   {
     std::vector<std::size_t> sizes;
     parts_.graph.triangulation().parts(sizes);
     if (sizes.size() < 2)
       return Status::success();
     const SurfaceParts found = surfaceParts(parts_.graph);
-    if (otherParts(found.parts, largest_speck) != OtherParts::Specks)
+    if (otherParts(found.parts, largest_cluster) != OtherParts::Clusters)
       return Status::success(); // the stages that need a single part refuse it
     const std::vector<std::uint8_t> apart = apartFrom(parts_.graph, found, 0);
-    parts_.counts.speck = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
-    return parts_.counts.speck > 0 ? keepPart(apart, LeftOut::Speck) : Status::success();
+    parts_.counts.clustered = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
+    return parts_.counts.clustered > 0 ? keepPart(apart, LeftOut::Cluster) : Status::success();
   }
 
   /** Build again from the points of the graph that are not \p apart, one flag each. */
@@ -184,16 +184,16 @@ private:
     return build(std::move(points));
   }
 
-  /** Find clusters among the points left out and those that are doubtful. \p apart: one flag per point of the graph, 1 in a cluster. */
+  /** Find clusters among the points left out and the spike candidates. \p apart: one flag per point of the graph, 1 in a cluster. */
   void findClusters(std::vector<std::uint8_t>& apart)
   {
-    const auto& doubtful = parts_.graph.doubtfulPoints();
+    const auto& candidates = parts_.graph.spikeCandidates();
     std::vector<std::uint32_t> given;
     for (std::uint32_t i = 0; i < why_.size(); ++i)
-      if (why_[i] == static_cast<std::int8_t>(LeftOut::Isolated) || why_[i] == static_cast<std::int8_t>(LeftOut::Speck))
+      if (why_[i] == static_cast<std::int8_t>(LeftOut::Isolated) || why_[i] == static_cast<std::int8_t>(LeftOut::Cluster))
         given.push_back(i);
     const std::size_t outliers = given.size();
-    for (const std::uint32_t i : doubtful)
+    for (const std::uint32_t i : candidates)
       given.push_back(placeOf(parts_.graph.blocks().originalIndex(i)));
     std::vector<Eigen::Vector3f> points;
     points.reserve(given.size());
@@ -205,7 +205,7 @@ private:
       for (pcl::index_t& index : cluster.indices) {
         const auto i = static_cast<std::size_t>(index);
         if (i >= outliers)
-          apart[doubtful[i - outliers]] = 1;
+          apart[candidates[i - outliers]] = 1;
         index = static_cast<pcl::index_t>(given[i]);
       }
   }
@@ -224,8 +224,8 @@ private:
       const auto left_out = static_cast<std::size_t>(std::count(apart.begin(), apart.end(), 1));
       if (left_out == 0 || settings_.clusters == ClusterHandling::Refuse)
         break;
-      parts_.counts.speck += left_out;
-      if (const Status status = keepPart(apart, LeftOut::Speck); !status.ok())
+      parts_.counts.clustered += left_out;
+      if (const Status status = keepPart(apart, LeftOut::Cluster); !status.ok())
         return status;
     }
     if (!parts_.clusters.empty())

@@ -59,9 +59,9 @@ public:
   /** For the full scan: a share of the points are outliers, moved along \p normal. */
   pcl::PointXYZ scanned(const Vector3d& place, const Vector3d& normal)
   {
-    const bool stray = share() < settings_.outliers;
-    const double off = strayDistance(share());
-    return seen(stray ? Vector3d(place + off * normal) : place);
+    const bool is_outlier = share() < settings_.outliers;
+    const double off = outlierDistance(share());
+    return seen(is_outlier ? Vector3d(place + off * normal) : place);
   }
 
 private:
@@ -82,7 +82,7 @@ frameAt(double t)
 } // namespace
 
 double
-strayDistance(double share)
+outlierDistance(double share)
 {
   const double side = 2 * share - 1;
   return std::copysign(5 + 15 * std::abs(side), side);

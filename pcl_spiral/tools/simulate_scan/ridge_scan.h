@@ -26,4 +26,4 @@ struct RidgeScan {
 RidgeScan simulateRidge(const RidgeScanSettings& settings);
 
 /** An outlier is 5 to 20 mm in front of or behind the surface; \p share is uniform in 0 to 1. */
-double strayDistance(double share);
+double outlierDistance(double share);

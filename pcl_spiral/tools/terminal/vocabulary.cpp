@@ -75,7 +75,7 @@ constexpr SettingWords settings[] = {
     {"setInputMesh", "mesh"},
     {"setCylinder", "column-axis", "--column-axis and --column-centre"},
     {"MaterialRemoval", "verify"},
-    {"StrayRemoval", "leave-out-strays"},
+    {"OutlierRemoval", "leave-out-strays"},
     {"setSampleSpacing", "sample-spacing"},
     {"Limits::gouge", "max-gouge"},
     {"Limits::scallop", "max-scallop"},

@@ -64,7 +64,7 @@ TEST(EvenSpread, EvenCloudsStayWhole)
                              floats(sampleScanLines(*surface, 0.5, 1.0, 2, 0.3).points)}) {
     const Built b = built(points);
     EXPECT_EQ(b.source.surplus, 0u);
-    EXPECT_EQ(b.source.indices.size() + b.source.strays.size(), points.size());
+    EXPECT_EQ(b.source.indices.size() + b.source.outliers.size(), points.size());
   }
 }
 
@@ -75,7 +75,7 @@ TEST(EvenSpread, ScanLinesAreThinnedToAboutTheDistanceOfTheLines)
     for (const double jitter : {0.0, 0.3}) {
       const auto points = floats(sampleScanLines(*surface, along, 2.0, 3, jitter).points);
       const Built b = built(points);
-      EXPECT_EQ(b.source.indices.size() + b.source.strays.size() + b.source.surplus, points.size());
+      EXPECT_EQ(b.source.indices.size() + b.source.outliers.size() + b.source.surplus, points.size());
       EXPECT_EQ(b.graph.size(), b.source.indices.size());
       EXPECT_GT(b.graph.spacing(), 0.9) << along;
       EXPECT_LT(b.graph.spacing(), 2.1) << along;

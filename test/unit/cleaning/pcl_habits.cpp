@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What users of PCL expect: the sensor of a cloud, indices as queries, other fields kept, pcl::Indices, and no old result.
+#include <pcl_spiral/cleaning/outlier_removal.h>
 #include <pcl_spiral/cleaning/part_region.h>
-#include <pcl_spiral/cleaning/stray_removal.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/spiral/spiral_toolpath_generator.h>
@@ -258,8 +258,8 @@ TEST(PclHabits, ANullCloudLeavesNeitherOutputNorStatus)
   PartRegion<P> region;
   region.setCropBox({Eigen::Vector3d(-20.0, -20.0, 0.0), Eigen::Vector3d(20.0, 20.0, 200.0)});
   check(region);
-  StrayRemoval<P> strays;
-  check(strays);
+  OutlierRemoval<P> outliers;
+  check(outliers);
 }
 
 } // namespace pcl_habits_test

@@ -3,7 +3,7 @@
 #include "support/reused_stage.h"
 #include "support/test_machines.h"
 
-#include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/cleaning/outlier_removal.h>
 #include <pcl_spiral/cutter/cutter_location.h>
 #include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/features/boundary_loops.h>
@@ -89,7 +89,7 @@ struct Prepared : SurfacePreparation<PointT> {
 };
 
 template <typename PointT>
-struct Removal : StrayRemoval<PointT> {
+struct Removal : OutlierRemoval<PointT> {
   Values run()
   {
     this->filter(cloud);
@@ -324,7 +324,7 @@ TEST_F(ReusedStages, Surface)
 TEST_F(ReusedStages, Filters)
 {
   checkReuse<Prepared>("SurfacePreparation");
-  checkReuse<Removal>("StrayRemoval");
+  checkReuse<Removal>("OutlierRemoval");
 }
 TEST_F(ReusedStages, Boundaries)
 {
@@ -388,7 +388,7 @@ TEST_F(ReusedStages, ThroughPclsBases)
   EXPECT_TRUE(feet.is_dense);
 
   SurfacePreparation<pcl::PointXYZ> preparation(true);
-  StrayRemoval<pcl::PointXYZ> removal(true);
+  OutlierRemoval<pcl::PointXYZ> removal(true);
   cloud->emplace_back(0.0f, 0.0f, 300.0f);
   for (pcl::Filter<pcl::PointXYZ>* filter :
        {static_cast<pcl::Filter<pcl::PointXYZ>*>(&preparation), static_cast<pcl::Filter<pcl::PointXYZ>*>(&removal)}) {

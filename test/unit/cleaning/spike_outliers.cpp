@@ -45,7 +45,7 @@ outliersOf(const std::vector<Eigen::Vector3f>& points)
   SurfaceGraph graph;
   EXPECT_TRUE(graph.build(points, {}).ok());
   std::vector<std::uint32_t> found = spikeOutliers(graph);
-  found.insert(found.end(), graph.strayPoints().begin(), graph.strayPoints().end());
+  found.insert(found.end(), graph.isolatedPoints().begin(), graph.isolatedPoints().end());
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
@@ -124,9 +124,9 @@ TEST(SpikeOutliers, TheGraphIsOfTheOthersWithTheirIndicesAndNormalsForAnyNumberO
     ASSERT_TRUE(buildCleanGraph(points, options, graph, source).ok());
     ASSERT_EQ(graph.size(), source.indices.size());
     const std::size_t moved = (points.size() - 5 + 49) / 50;
-    EXPECT_GE(source.strays.size(), moved);
-    EXPECT_LE(source.strays.size(), moved + 20); // with points of the rim, of about 280, that stand alone
-    EXPECT_EQ(source.indices.size() + source.strays.size(), points.size());
+    EXPECT_GE(source.outliers.size(), moved);
+    EXPECT_LE(source.outliers.size(), moved + 20); // with points of the rim, of about 280, that stand alone
+    EXPECT_EQ(source.indices.size() + source.outliers.size(), points.size());
     for (std::size_t i = 0; i < graph.size(); ++i) {
       const std::uint32_t from = source.indices[graph.blocks().originalIndex(i)];
       EXPECT_NE(from % 50, 5u);

@@ -77,7 +77,7 @@ TEST(CutterLocation, AnEchoAboveTheSurfaceLiftsAndIsReported)
   EXPECT_NE(run.locations[0].basis, LocationBasis::FittedSurface);
   EXPECT_EQ(run.locations[1].state, LocationState::Reached);
   EXPECT_EQ(run.figures.most_lifted, 0u);
-  EXPECT_EQ(run.figures.stray_points, 1u);
+  EXPECT_EQ(run.figures.outlier_points, 1u);
 }
 
 TEST(CutterLocation, PathsCloudsAndSettingsThatCannotBeAreNamed)

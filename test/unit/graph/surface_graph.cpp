@@ -192,16 +192,16 @@ TEST(SurfaceGraph, RefusesTooFewAndCoincident)
   EXPECT_FALSE(graph.build(Points(500, Eigen::Vector3f(1, 2, 3)), {}).ok());
 }
 
-TEST(SurfaceGraph, FindsStrayPointsAndNoOthers)
+TEST(SurfaceGraph, FindsIsolatedPointsAndNoOthers)
 {
   auto points = randomSphere(20000, 100.0, true, 12);
-  EXPECT_TRUE(graphOf(points).strayPoints().empty());
-  std::vector<std::uint32_t> strays;
+  EXPECT_TRUE(graphOf(points).isolatedPoints().empty());
+  std::vector<std::uint32_t> outliers;
   for (std::uint32_t i = 500; i < points.size(); i += 2500) { // one to four spacings off, on both sides
     points[i] *= 1.0f + (i % 5000 < 2500 ? 0.018f : -0.05f);
-    strays.push_back(i);
+    outliers.push_back(i);
   }
-  EXPECT_EQ(graphOf(points).strayPoints(), strays);
+  EXPECT_EQ(graphOf(points).isolatedPoints(), outliers);
 }
 
 TEST(SurfaceGraph, OnePointFarOffIsFoundAndTurnsNothing)
@@ -214,7 +214,7 @@ TEST(SurfaceGraph, OnePointFarOffIsFoundAndTurnsNothing)
       points.push_back(std::pow(10.0f, static_cast<float>(power)) * way);
       SurfaceGraph graph;
       ASSERT_TRUE(graph.build(points, {}).ok());
-      EXPECT_EQ(graph.strayPoints(), std::vector<std::uint32_t>{5000}) << "1e" << power << " along " << way.transpose();
+      EXPECT_EQ(graph.isolatedPoints(), std::vector<std::uint32_t>{5000}) << "1e" << power << " along " << way.transpose();
       EXPECT_GT(graph.meanNormal().z(), 0.4);
       std::size_t inwards = 0;
       for (std::size_t i = 0; i < graph.size(); ++i)
@@ -223,12 +223,12 @@ TEST(SurfaceGraph, OnePointFarOffIsFoundAndTurnsNothing)
     }
 }
 
-TEST(SurfaceGraph, PointsOnACreaseAreNoStrays)
+TEST(SurfaceGraph, PointsOnACreaseAreNotIsolated)
 {
   auto points = randomSquare(20000, 100.0, 13);
   for (auto& p : points)
     p.z() = std::abs(p.x() - 50.0f); // a right angle along the middle
-  EXPECT_TRUE(graphOf(points).strayPoints().empty());
+  EXPECT_TRUE(graphOf(points).isolatedPoints().empty());
 }
 
 } // namespace

@@ -242,7 +242,7 @@ TEST(DriveRemedies, TheTool)
                d.setAxis({-1.0, 0.0, 1.0});
              }}}),
       over(column, "of the surface is not cut", {}, {{"setKind", [](Drive& d) { d.setKind(DriveKind::Helix); }}}),
-      over(echo, "remove them first if they are false echoes", {}, {{"StrayRemoval", [](Drive& d) { d.setLeaveOutStrays(true); }}}),
+      over(echo, "remove them first if they are false echoes", {}, {{"OutlierRemoval", [](Drive& d) { d.setLeaveOutStrays(true); }}}),
   });
 }
 

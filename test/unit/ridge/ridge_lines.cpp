@@ -107,7 +107,7 @@ TEST(RidgeLines, OfAProfileThatChangesAreSaidWithPlace)
     EXPECT_EQ(warning.text().find("off the surface"), std::string::npos) << warning;
 }
 
-TEST(RidgeLines, StrayPointsDoNotMoveThem)
+TEST(RidgeLines, OutliersDoNotMoveThem)
 {
   std::vector<Vector3d> scan = scanOf(die, along, across, 0.02, 7);
   Random random(8);

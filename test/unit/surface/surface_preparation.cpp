@@ -113,7 +113,7 @@ TEST(SurfacePreparation, CountsEveryPointAndKeepsItsIndex)
   cloud->push_back(pcl::PointXYZ(0, std::numeric_limits<float>::infinity(), 0));
   for (int i = 0; i < 40; ++i)
     cloud->push_back((*cloud)[static_cast<std::size_t>(i) * 7]);
-  cloud->push_back(pcl::PointXYZ(0, 0, 300)); // a stray point
+  cloud->push_back(pcl::PointXYZ(0, 0, 300)); // an outlier
   cloud->is_dense = false;
   const Cloud before = *cloud;
   SurfacePreparation<pcl::PointXYZ> preparation;
@@ -130,7 +130,7 @@ TEST(SurfacePreparation, CountsEveryPointAndKeepsItsIndex)
   EXPECT_EQ(counts.duplicate, 40u);
   EXPECT_EQ(counts.outlier, 1u);
   EXPECT_GT(counts.thinned, 0u);
-  EXPECT_EQ(counts.nonfinite + counts.duplicate + counts.outlier + counts.thinned + counts.surplus + counts.isolated + counts.speck +
+  EXPECT_EQ(counts.nonfinite + counts.duplicate + counts.outlier + counts.thinned + counts.surplus + counts.isolated + counts.clustered +
                 counts.other_part + counts.used,
             counts.input);
   ASSERT_EQ(out.size(), counts.used);

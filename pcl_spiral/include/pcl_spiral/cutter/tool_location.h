@@ -106,9 +106,9 @@ struct LocationFigures {
   double largest_gap = 0.0;                          ///< corrected: how far the cutter would have sunk between points
   double largest_gap_bound = 0.0;                    ///< of the finite bounds, at locations on the points
   std::size_t unbounded = 0;                         ///< locations on the points only, without a bound
-  double noise_allowance = 0.0; ///< a point of the scan is no deeper than this, along the surface's normal, in the cutter
-  std::size_t stray_points = 0; ///< outliers of the scan, off its surface: the cutter stays off them too
-  Diagnostics warnings;         ///< in full sentences, with the remedy
+  double noise_allowance = 0.0;   ///< a point of the scan is no deeper than this, along the surface's normal, in the cutter
+  std::size_t outlier_points = 0; ///< outliers of the scan, off its surface: the cutter stays off them too
+  Diagnostics warnings;           ///< in full sentences, with the remedy
 
   std::size_t count(LocationState state) const { return states[static_cast<std::size_t>(state)]; } ///< Number of locations in a state.
   std::size_t count(LocationBasis basis) const { return bases[static_cast<std::size_t>(basis)]; }  ///< Number of locations of a basis.

@@ -104,7 +104,7 @@ struct DriveReport {
   double largest_axis_step = 0.0;       ///< between consecutive points of a pass, degrees
   std::size_t axes_from_neighbours = 0; ///< points without a normal of their own: interpolated between those before and after
   std::size_t short_pieces = 0;         ///< left out: sections or lines shorter than the spacing of the scan, at its rim
-  std::size_t stray_points = 0;         ///< outliers of the scan, left out: off the surface
+  std::size_t outlier_points = 0;       ///< outliers of the scan, left out: off the surface
   Diagnostics warnings;                 ///< in full sentences, with the remedy
 };
 

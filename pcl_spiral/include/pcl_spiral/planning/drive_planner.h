@@ -53,7 +53,7 @@ public:
   void setMeshSettings(const MeshSettings& settings) { mesh_settings_ = settings; }
   const MeshSettings& getMeshSettings() const { return mesh_settings_; } ///< The value of setMeshSettings.
 
-  /** Points off the scanned surface are left out before all else, with a warning (StrayRemoval); off by default. */
+  /** Points off the scanned surface are left out before all else, with a warning (OutlierRemoval); off by default. */
   void setLeaveOutStrays(bool leave_out) { leave_out_strays_ = leave_out; }
   bool getLeaveOutStrays() const { return leave_out_strays_; } ///< The value of setLeaveOutStrays.
   /** If false, the cutter stands at the contacts of a mesh, and nothing looks at the rest of it; true by default. */

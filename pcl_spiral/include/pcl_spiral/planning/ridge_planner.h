@@ -71,7 +71,7 @@ public:
   void setPassSettings(const PassSettings& settings) { asked_.tool = settings; }
   const PassSettings& getPassSettings() const { return asked_.tool; } ///< The value of setPassSettings.
 
-  /** Points off the scanned surface are left out before all else, with a warning (StrayRemoval); off by default. */
+  /** Points off the scanned surface are left out before all else, with a warning (OutlierRemoval); off by default. */
   void setLeaveOutStrays(bool leave_out) { asked_.leave_out_strays = leave_out; }
   bool getLeaveOutStrays() const { return asked_.leave_out_strays; } ///< The value of setLeaveOutStrays.
   /** Without a scan the plan has samples of the ridge, by which ProgramPlanner checks leads of a cutter; on by default. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** \file
- *  Former place of cleaning/stray_removal.h.
+ *  Former place of cleaning/outlier_removal.h.
  */
 #pragma once
 
-#include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/cleaning/outlier_removal.h>

@@ -31,7 +31,7 @@ struct SurfaceCounts {
   std::size_t thinned = 0;        ///< removed by the voxel grid
   std::size_t surplus = 0;        ///< much closer together than the points around them, as along scan lines
   std::size_t isolated = 0;       ///< single points off the surface
-  std::size_t speck = 0;          ///< in clusters apart from the surface
+  std::size_t clustered = 0;      ///< in clusters apart from the surface
   std::size_t other_part = 0;     ///< in separate parts other than the one kept, left out on request
   std::size_t used = 0;           ///< points of the surface
   std::size_t separate_parts = 0; ///< left out on request
@@ -39,7 +39,9 @@ struct SurfaceCounts {
   int passes = 0;                 ///< over all neighbourhoods, to make the surface
 
   /** Outliers: single points and clusters off the surface. */
-  std::size_t strays() const { return isolated + speck; }
+  std::size_t offSurface() const { return isolated + clustered; }
+  /** \deprecated Renamed offSurface. */
+  [[deprecated("use offSurface")]] std::size_t strays() const { return offSurface(); }
 };
 
 /** Why a point is not part of the surface. */
@@ -48,7 +50,7 @@ enum class LeftOut : std::uint8_t {
   Thinned,  ///< removed by the voxel grid
   Surplus,  ///< much closer to its neighbours than the points around it
   Isolated, ///< a single point off the surface
-  Speck,    ///< in a cluster apart from the surface
+  Cluster,  ///< in a cluster apart from the surface
   OtherPart ///< in a part other than the one kept
 };
 

@@ -26,7 +26,7 @@ p { margin: 6px 0; }
 .statement { border-left: 8px solid #8a93a1; background: #f2f4f6; padding: 10px 14px; margin: 16px 0; }
 .statement b { font-size: 17px; }
 .good { border-color: #1d8a4b; background: #e9f6ee; }
-.doubtful { border-color: #c98a00; background: #fff6df; }
+.unproven { border-color: #c98a00; background: #fff6df; }
 .bad { border-color: #c4121f; background: #fdecec; }
 ul { margin: 6px 0; padding-left: 22px; }
 li { overflow-wrap: anywhere; }
@@ -93,7 +93,7 @@ HtmlPage::addStatement(Tone tone, const std::string& statement, const std::vecto
 {
   body_ += std::string("<div class=\"statement") +
            (tone == Tone::Good       ? " good"
-            : tone == Tone::Doubtful ? " doubtful"
+            : tone == Tone::Unproven ? " unproven"
             : tone == Tone::Bad      ? " bad"
                                      : "") +
            "\">\n" + element("b", statement);

@@ -14,7 +14,7 @@
 namespace pcl_spiral {
 
 /** Rating of a statement. */
-enum class Tone { Neutral, Good, Doubtful, Bad };
+enum class Tone { Neutral, Good, Unproven, Bad };
 
 /** Cells of a table, row by row. The first row is the head if it has the same length. */
 using HtmlRows = std::vector<std::vector<std::string>>;

@@ -116,7 +116,7 @@ Tone
 toneOf(Verdict verdict)
 {
   return verdict == Verdict::Broken     ? Tone::Bad
-         : verdict == Verdict::Unproven ? Tone::Doubtful
+         : verdict == Verdict::Unproven ? Tone::Unproven
          : verdict == Verdict::Kept     ? Tone::Good
                                         : Tone::Neutral;
 }

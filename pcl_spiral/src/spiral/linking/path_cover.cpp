@@ -73,13 +73,13 @@ public:
     if (!watch(held, partOf(progress, 0.0, 0.5), figures))
       return false;
     for (; !watched_.empty() && figures.rounds < most_rounds; ++figures.rounds) {
-      if (!measureDoubtful(partOf(progress, 0.5 + 0.5 * figures.rounds / most_rounds, 0.5 + 0.5 * (figures.rounds + 1) / most_rounds)))
+      if (!measureOpen(partOf(progress, 0.5 + 0.5 * figures.rounds / most_rounds, 0.5 + 0.5 * (figures.rounds + 1) / most_rounds)))
         return false;
-      figures.left = doubtful_.size();
-      figures.farthest = doubtful_.empty() ? covered : watched_[doubtful_.front()].distance;
-      if (doubtful_.empty())
+      figures.left = open_.size();
+      figures.farthest = open_.empty() ? covered : watched_[open_.front()].distance;
+      if (open_.empty())
         break;
-      figures.farthest_place = tests_.place(watched_[doubtful_.front()].test).point;
+      figures.farthest_place = tests_.place(watched_[open_.front()].test).point;
       pull();
       if (!move())
         break;
@@ -94,7 +94,7 @@ private:
   double distanceFrom(std::size_t segment, const CoverPlace& place, double& share) const;
   bool isStillCovered(Watched& at) const;
   void measure(Watched& at);
-  bool measureDoubtful(const ProgressCallback& progress);
+  bool measureOpen(const ProgressCallback& progress);
   void pull();
   bool isTaken(std::size_t centre) const;
   void watchTests(const std::vector<std::uint8_t>& near);
@@ -104,7 +104,7 @@ private:
   LinkedPath& path_;
   CoverTests tests_;
   std::vector<Watched> watched_;
-  std::vector<std::uint32_t> doubtful_; ///< watched whose limit is above covered
+  std::vector<std::uint32_t> open_; ///< watched whose limit is above covered
   std::vector<NearPath> near_paths_;
   SegmentSet line_;                  ///< the path as it was at first
   std::vector<std::size_t> dense_;   ///< one a point of it: where it is now, and the end
@@ -160,7 +160,7 @@ Mover::watchTests(const std::vector<std::uint8_t>& near)
       at.segment = static_cast<std::uint32_t>(dense_[p] + part);
     }
     if (at.distance > covered)
-      doubtful_.push_back(static_cast<std::uint32_t>(watched_.size()));
+      open_.push_back(static_cast<std::uint32_t>(watched_.size()));
     watched_.push_back(at);
   }
   tests_.forgetNearest();
@@ -247,11 +247,11 @@ Mover::measure(Watched& at)
   at.distance = least;
 }
 
-/** Measure the doubtful places; keep those that are uncovered, the farthest first. */
+/** Measure the open places; keep those that are uncovered, the farthest first. */
 bool
-Mover::measureDoubtful(const ProgressCallback& progress)
+Mover::measureOpen(const ProgressCallback& progress)
 {
-  const std::vector<std::uint32_t> measured = std::move(doubtful_);
+  const std::vector<std::uint32_t> measured = std::move(open_);
   const auto count = static_cast<std::int64_t>(measured.size());
   std::vector<std::uint8_t> still(measured.size(), 0);
 #pragma omp parallel for schedule(static, 256)
@@ -273,10 +273,10 @@ Mover::measureDoubtful(const ProgressCallback& progress)
   };
   if (!stoppableLoop(0, count, partOf(progress, 0.0, 1.0, "coverage"), measureOne))
     return false;
-  doubtful_.clear();
-  std::copy_if(measured.begin(), measured.end(), std::back_inserter(doubtful_),
+  open_.clear();
+  std::copy_if(measured.begin(), measured.end(), std::back_inserter(open_),
                [this](std::uint32_t w) { return watched_[w].distance > covered; });
-  std::sort(doubtful_.begin(), doubtful_.end(), [this](std::uint32_t a, std::uint32_t b) {
+  std::sort(open_.begin(), open_.end(), [this](std::uint32_t a, std::uint32_t b) {
     return watched_[a].distance != watched_[b].distance ? watched_[a].distance > watched_[b].distance : a < b;
   });
   return true;
@@ -295,7 +295,7 @@ Mover::isTaken(std::size_t centre) const
 void
 Mover::pull()
 {
-  for (const std::uint32_t w : doubtful_) {
+  for (const std::uint32_t w : open_) {
     const Watched& at = watched_[w];
     if (near_paths_[at.near].runs.empty())
       continue; // nothing is near enough to be moved there
@@ -317,7 +317,7 @@ Mover::pull()
   }
 }
 
-/** Raise the limits of those that moved segments cover. All whose limit is then above covered become doubtful. */
+/** Raise the limits of those that moved segments cover. All whose limit is then above covered become open. */
 void
 Mover::raiseLimits()
 {
@@ -332,9 +332,9 @@ Mover::raiseLimits()
       if (at.distance > covered)
         found[block].push_back(static_cast<std::uint32_t>(w));
     }
-  doubtful_.clear();
+  open_.clear();
   for (const std::vector<std::uint32_t>& some : found)
-    doubtful_.insert(doubtful_.end(), some.begin(), some.end());
+    open_.insert(open_.end(), some.begin(), some.end());
 }
 
 /** Move the pulled points; false if there are none. */

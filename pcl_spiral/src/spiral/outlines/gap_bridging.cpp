@@ -66,7 +66,7 @@ Status
 checkHoldsTogether(const SurfaceGraph& graph)
 {
   const std::vector<SurfacePart> parts = surfaceParts(graph).parts;
-  if (const OtherParts others = otherParts(parts, largest_speck); others == OtherParts::None || others == OtherParts::Specks)
+  if (const OtherParts others = otherParts(parts, largest_cluster); others == OtherParts::None || others == OtherParts::Clusters)
     return Status::success();
   Eigen::AlignedBox3d box;
   for (std::size_t i = 1; i < parts.size(); ++i)

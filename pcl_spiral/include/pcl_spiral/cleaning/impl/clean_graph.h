@@ -14,10 +14,10 @@ namespace pcl_spiral {
 
 /** Which of the given points a graph was built from. */
 struct GraphSource {
-  std::vector<std::uint32_t> indices; ///< of each point of the graph in the given points, by its original index
-  std::vector<std::uint32_t> strays;  ///< left out: off the surface, or apart from it; ascending
-  int passes = 0;                     ///< over all neighbourhoods: number of graphs built
-  std::size_t surplus = 0;            ///< left out: much closer together than the points around them, as along scan lines
+  std::vector<std::uint32_t> indices;  ///< of each point of the graph in the given points, by its original index
+  std::vector<std::uint32_t> outliers; ///< left out: off the surface, or apart from it; ascending
+  int passes = 0;                      ///< over all neighbourhoods: number of graphs built
+  std::size_t surplus = 0;             ///< left out: much closer together than the points around them, as along scan lines
 };
 
 /** Says whether a cloud, in spatial order, may be a surface. */
@@ -29,7 +29,7 @@ using CloudCheck = std::function<Status(const PointBlocks&)>;
  *  than the lines are apart, nearly at one place, or beside a much sparser part. This is done once more if outliers were found,
  *  because they had others left out in their favour.
  *  Fails where \p check fails, which is called before all else, and where SurfaceGraph::build fails.
- *  \sa evenSpread, SurfaceGraph::strayPoints, sparseClusters, spikeOutliers, isolatedOutliers */
+ *  \sa evenSpread, SurfaceGraph::isolatedPoints, sparseClusters, spikeOutliers, isolatedOutliers */
 Status buildCleanGraph(std::vector<Eigen::Vector3f> points, const SurfaceGraphOptions& options, SurfaceGraph& graph, GraphSource& source,
                        const CloudCheck& check = {});
 

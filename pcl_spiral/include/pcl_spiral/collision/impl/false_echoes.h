@@ -18,7 +18,7 @@ namespace pcl_spiral {
 constexpr std::size_t largest_echo = 3;
 
 /** The finite \p points without false echoes, in their order. False echoes are outliers in groups of at most \p largest points, see
- *  StrayRemoval. Returns all points if they form no surface. */
+ *  OutlierRemoval. Returns all points if they form no surface. */
 std::vector<Eigen::Vector3f> withoutEchoes(const std::vector<Eigen::Vector3f>& points, std::size_t largest);
 
 /** The \p points of \p scan that are no false echoes among all of it, in their order; groups of at most largest_echo. */

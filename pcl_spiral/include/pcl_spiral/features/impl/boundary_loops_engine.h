@@ -30,12 +30,12 @@ struct BoundaryOptions {
   double min_hole_length = 0.0;
   /** Least width (largest extent) of a real hole, mm; holes that triangles cover (ScanVoids) then count too. 0: as above. */
   double min_hole_width = 0.0;
-  double largest_gap = 15.0;               ///< width in spacings: with no length set, a hole up to this width is a gap in the data
-  double shortest_loop = 8.0;              ///< in spacings: a loop that is shorter, or narrower than a circle of this length, is a flaw of
-                                           ///< the triangulation and is left out
-  double largest_left_out = largest_speck; ///< largest share of the triangles of a further part that is left out; all such parts
-                                           ///< together: ten times that
-  std::function<bool(double)> progress;    ///< called with the share done; false cancels
+  double largest_gap = 15.0;  ///< width in spacings: with no length set, a hole up to this width is a gap in the data
+  double shortest_loop = 8.0; ///< in spacings: a loop that is shorter, or narrower than a circle of this length, is a flaw of
+                              ///< the triangulation and is left out
+  double largest_left_out = largest_cluster; ///< largest share of the triangles of a further part that is left out; all such parts
+                                             ///< together: ten times that
+  std::function<bool(double)> progress;      ///< called with the share done; false cancels
 };
 
 /** Boundaries of the largest edge-connected part of the surface: the rim first, then by decreasing length.

@@ -35,17 +35,17 @@ SurfaceParts surfaceParts(const SurfaceGraph& graph);
 /** What the parts other than the one with most triangles are. */
 enum class OtherParts {
   None,
-  Specks,  ///< clusters to be left out
-  TooMany, ///< clusters, but too many in all: the scan is disconnected
-  TooLarge ///< at least one is not a cluster
+  Clusters, ///< clusters to be left out
+  TooMany,  ///< clusters, but too many in all: the scan is disconnected
+  TooLarge  ///< at least one is not a cluster
 };
 
 /** Largest share of all triangles in one cluster; ten times that for all clusters together. */
-constexpr double largest_speck = 0.02;
+constexpr double largest_cluster = 0.02;
 
 /** True if a part other than the \p first, with \p share of all triangles at most, is a cluster. A part that is much larger in
  *  area is not, because a coarse scan has few triangles beside a fine one. */
-bool isSpeck(const SurfacePart& part, const SurfacePart& first, std::size_t all_triangles, double share);
+bool isCluster(const SurfacePart& part, const SurfacePart& first, std::size_t all_triangles, double share);
 
 /** What the other parts are. \p parts by decreasing number of triangles; \p share: the largest of a cluster. */
 OtherParts otherParts(const std::vector<SurfacePart>& parts, double share);

@@ -58,9 +58,9 @@ public:
   /** The same about point \p i. */
   double spacing(std::size_t i) const;
   /** Isolated points off the surface, as indices of the points given to build: outliers to leave out. Ascending. */
-  const std::vector<std::uint32_t>& strayPoints() const { return points_->stray; }
+  const std::vector<std::uint32_t>& isolatedPoints() const { return points_->isolated; }
   /** Points, in the graph's order, that may be spikes or lie where the surface bends. spikeOutliers() checks them. */
-  const std::vector<std::uint32_t>& doubtfulPoints() const { return points_->doubtful; }
+  const std::vector<std::uint32_t>& spikeCandidates() const { return points_->spike_candidates; }
   const Triangulation& triangulation() const { return *triangulation_; }
   /** The same points without the triangles, which are the larger half of the memory: for stages that need only neighbourhoods. */
   SurfaceGraph withoutTriangulation() const;
@@ -74,7 +74,7 @@ private:
     PointBlocks blocks;
     std::vector<Eigen::Vector3f> normals;
     std::vector<float> radii;
-    std::vector<std::uint32_t> stray, doubtful;
+    std::vector<std::uint32_t> isolated, spike_candidates;
     Eigen::Vector3d mean_normal = Eigen::Vector3d::Zero();
     double spacing = 0.0;
     int neighbours = 0;

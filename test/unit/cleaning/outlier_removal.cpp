@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Outliers are removed, the surface stays: against points of known kind.
-#include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/cleaning/outlier_removal.h>
 
 #include <gtest/gtest.h>
 
@@ -10,13 +10,13 @@
 #include <random>
 #include <set>
 
-namespace stray_removal_test {
+namespace outlier_removal_test {
 
 using namespace pcl_spiral;
 
 namespace {
 
-constexpr std::size_t honest = 8000, strays = 60;
+constexpr std::size_t honest = 8000, outliers = 60;
 
 /** A wave with a point about every mm, then outliers 2 to 30 mm off it. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr
@@ -25,7 +25,7 @@ scan(std::uint32_t seed = 1)
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> side(-45.0f, 45.0f), off(2.0f, 30.0f);
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
-  for (std::size_t i = 0; i < honest + strays; ++i) {
+  for (std::size_t i = 0; i < honest + outliers; ++i) {
     const float x = side(random), y = side(random);
     const float above = i < honest ? 0.0f : (i % 2 == 0 ? 1.0f : -1.0f) * off(random);
     cloud->push_back({x, y, 4.0f * std::sin(0.07f * x) * std::cos(0.05f * y) + above});
@@ -34,7 +34,7 @@ scan(std::uint32_t seed = 1)
 }
 
 pcl::Indices
-kept(StrayRemoval<pcl::PointXYZ>& removal, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
+kept(OutlierRemoval<pcl::PointXYZ>& removal, const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& cloud)
 {
   removal.setInputCloud(cloud);
   pcl::Indices indices;
@@ -44,31 +44,31 @@ kept(StrayRemoval<pcl::PointXYZ>& removal, const pcl::PointCloud<pcl::PointXYZ>:
 
 } // namespace
 
-TEST(StrayRemoval, TakesStraysAndKeepsTheSurface)
+TEST(OutlierRemoval, TakesOutliersAndKeepsTheSurface)
 {
-  StrayRemoval<pcl::PointXYZ> removal(true);
+  OutlierRemoval<pcl::PointXYZ> removal(true);
   const pcl::Indices stay = kept(removal, scan());
   ASSERT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
   EXPECT_TRUE(std::is_sorted(stay.begin(), stay.end()));
   std::size_t left = 0;
   for (const auto i : stay)
     left += static_cast<std::size_t>(i) >= honest;
-  EXPECT_EQ(left, 0U) << "strays that stayed";
+  EXPECT_EQ(left, 0U) << "outliers that stayed";
   EXPECT_GE(stay.size(), honest - 8) << "one in a thousand, of the rim, may go with them";
   pcl::Indices all = stay, gone = *removal.getRemovedIndices();
   all.insert(all.end(), gone.begin(), gone.end());
   std::sort(all.begin(), all.end());
-  ASSERT_EQ(all.size(), honest + strays);
+  ASSERT_EQ(all.size(), honest + outliers);
   for (std::size_t i = 0; i < all.size(); ++i)
     ASSERT_EQ(static_cast<std::size_t>(all[i]), i);
 
-  StrayRemoval<pcl::PointXYZ> turned(true);
+  OutlierRemoval<pcl::PointXYZ> turned(true);
   turned.setNegative(true);
   EXPECT_EQ(kept(turned, scan()), gone);
   EXPECT_EQ(*turned.getRemovedIndices(), stay);
 }
 
-TEST(StrayRemoval, RepetitionsAndNotANumberGoWithTheirKind)
+TEST(OutlierRemoval, RepetitionsAndNotANumberGoWithTheirKind)
 {
   const auto cloud = scan();
   cloud->push_back((*cloud)[honest + 3]); // a duplicate of an outlier
@@ -76,18 +76,18 @@ TEST(StrayRemoval, RepetitionsAndNotANumberGoWithTheirKind)
   const float nan = std::numeric_limits<float>::quiet_NaN();
   cloud->push_back({nan, nan, nan});
   cloud->is_dense = false;
-  StrayRemoval<pcl::PointXYZ> removal;
+  OutlierRemoval<pcl::PointXYZ> removal;
   const pcl::Indices stay = kept(removal, cloud);
   const std::set<pcl::index_t> found(stay.begin(), stay.end());
-  EXPECT_EQ(found.count(honest + strays), 0U);
-  EXPECT_EQ(found.count(honest + strays + 1), found.count(5));
-  EXPECT_EQ(found.count(honest + strays + 2), 0U);
+  EXPECT_EQ(found.count(honest + outliers), 0U);
+  EXPECT_EQ(found.count(honest + outliers + 1), found.count(5));
+  EXPECT_EQ(found.count(honest + outliers + 2), 0U);
 }
 
-TEST(StrayRemoval, ChoosesTheSameInAnyOrderAndAmongIndices)
+TEST(OutlierRemoval, ChoosesTheSameInAnyOrderAndAmongIndices)
 {
   const auto cloud = scan();
-  StrayRemoval<pcl::PointXYZ> removal;
+  OutlierRemoval<pcl::PointXYZ> removal;
   const pcl::Indices stay = kept(removal, cloud);
   pcl::PointCloud<pcl::PointXYZ>::Ptr turned(new pcl::PointCloud<pcl::PointXYZ>(*cloud));
   std::reverse(turned->begin(), turned->end());
@@ -101,7 +101,7 @@ TEST(StrayRemoval, ChoosesTheSameInAnyOrderAndAmongIndices)
   for (std::size_t i = 0; i < cloud->size(); ++i)
     if ((*cloud)[i].x < 0.0f)
       some->push_back(static_cast<pcl::index_t>(i));
-  StrayRemoval<pcl::PointXYZ> among;
+  OutlierRemoval<pcl::PointXYZ> among;
   among.setIndices(some);
   const pcl::Indices half = kept(among, cloud);
   EXPECT_TRUE(std::includes(some->begin(), some->end(), half.begin(), half.end()));
@@ -110,7 +110,7 @@ TEST(StrayRemoval, ChoosesTheSameInAnyOrderAndAmongIndices)
 }
 
 /** High over the surface the nearest neighbours of outliers are other outliers, and they make triangles. */
-TEST(StrayRemoval, TakesSparseEchoesHighOverACap)
+TEST(OutlierRemoval, TakesSparseEchoesHighOverACap)
 {
   for (std::uint32_t seed = 1; seed <= 4; ++seed)
     for (const int echoes : {20, 150, 380}) {
@@ -124,7 +124,7 @@ TEST(StrayRemoval, TakesSparseEchoesHighOverACap)
       }
       for (int i = 0; i < echoes; ++i)
         cloud->push_back({40.0f * unit(random), 40.0f * unit(random), 25.0f + 15.0f * unit(random)});
-      StrayRemoval<pcl::PointXYZ> removal;
+      OutlierRemoval<pcl::PointXYZ> removal;
       const pcl::Indices stay = kept(removal, cloud);
       ASSERT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
       const auto left = std::count_if(stay.begin(), stay.end(), [](auto i) { return i >= 20000; });
@@ -134,7 +134,7 @@ TEST(StrayRemoval, TakesSparseEchoesHighOverACap)
 }
 
 /** Far beyond an end of a column one triangle may join an outlier to the rim. */
-TEST(StrayRemoval, TakesAnEchoBeyondEachEndOfAColumn)
+TEST(OutlierRemoval, TakesAnEchoBeyondEachEndOfAColumn)
 {
   std::mt19937 random(2);
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
@@ -146,7 +146,7 @@ TEST(StrayRemoval, TakesAnEchoBeyondEachEndOfAColumn)
     }
     for (const float side : {-1.0f, 1.0f})
       cloud->push_back({6.0f * unit(random), 6.0f * unit(random), side * (55.0f + 30.0f * unit(random))});
-    StrayRemoval<pcl::PointXYZ> removal;
+    OutlierRemoval<pcl::PointXYZ> removal;
     const pcl::Indices stay = kept(removal, cloud);
     EXPECT_EQ(std::count_if(stay.begin(), stay.end(), [](auto i) { return i >= 12000; }), 0) << round;
     EXPECT_GE(stay.size(), 11980U);
@@ -154,7 +154,7 @@ TEST(StrayRemoval, TakesAnEchoBeyondEachEndOfAColumn)
 }
 
 /** Two to four outliers beyond the rim of a dense scan hang on it in long triangles that they share. */
-TEST(StrayRemoval, TakesEchoesThatHangTogetherOnARim)
+TEST(OutlierRemoval, TakesEchoesThatHangTogetherOnARim)
 {
   constexpr int dense = 60000;
   for (const std::uint32_t seed : {1u, 2u, 3u, 6u, 11u}) {
@@ -170,7 +170,7 @@ TEST(StrayRemoval, TakesEchoesThatHangTogetherOnARim)
     for (std::uint32_t i = 0; i < 2 + seed % 3; ++i)
       cloud->push_back(
           {41.0f * std::cos(angle) + 1.5f * unit(random), 41.0f * std::sin(angle) + 1.5f * unit(random), -14.0f + 3.0f * unit(random)});
-    StrayRemoval<pcl::PointXYZ> removal;
+    OutlierRemoval<pcl::PointXYZ> removal;
     const pcl::Indices stay = kept(removal, cloud);
     ASSERT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
     EXPECT_EQ(std::count_if(stay.begin(), stay.end(), [](auto i) { return i >= dense; }), 0) << "seed " << seed;
@@ -179,7 +179,7 @@ TEST(StrayRemoval, TakesEchoesThatHangTogetherOnARim)
 }
 
 /** A part that was scanned eight times as coarsely along its rim, three points wide, keeps these points. */
-TEST(StrayRemoval, KeepsASparserRim)
+TEST(OutlierRemoval, KeepsASparserRim)
 {
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
   for (int i = -150; i <= 150; ++i)
@@ -189,13 +189,13 @@ TEST(StrayRemoval, KeepsASparserRim)
   for (int row = 1; row <= 3; ++row)
     for (int k = -18; k <= 18; ++k)
       cloud->push_back({30.0f + 1.6f * static_cast<float>(row), 1.6f * static_cast<float>(k), 0.0f});
-  StrayRemoval<pcl::PointXYZ> removal;
+  OutlierRemoval<pcl::PointXYZ> removal;
   const pcl::Indices stay = kept(removal, cloud);
   EXPECT_EQ(std::count_if(stay.begin(), stay.end(), [&](auto i) { return i >= inside; }), 3 * 37);
 }
 
 /** Outliers are single; ten points within 4 mm are an object. */
-TEST(StrayRemoval, GroupsStayWhereAsked)
+TEST(OutlierRemoval, GroupsStayWhereAsked)
 {
   constexpr std::size_t together = 10;
   const auto cloud = scan();
@@ -203,24 +203,24 @@ TEST(StrayRemoval, GroupsStayWhereAsked)
   std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
   for (std::size_t i = 0; i < together; ++i)
     cloud->push_back({10.0f + 2.0f * unit(random), -5.0f + 2.0f * unit(random), 14.0f + 0.5f * unit(random)});
-  StrayRemoval<pcl::PointXYZ> all;
+  OutlierRemoval<pcl::PointXYZ> all;
   const pcl::Indices without = kept(all, cloud);
-  const auto isThing = [](auto i) { return static_cast<std::size_t>(i) >= honest + strays; };
+  const auto isThing = [](auto i) { return static_cast<std::size_t>(i) >= honest + outliers; };
   EXPECT_EQ(std::count_if(without.begin(), without.end(), isThing), 0);
   EXPECT_GE(all.getFigures().largest_group, together);
   EXPECT_LT((all.getFigures().largest_group_place - Eigen::Vector3d(10, -5, 14)).norm(), 2.0);
-  EXPECT_EQ(all.getFigures().strays, cloud->size() - without.size());
-  StrayRemoval<pcl::PointXYZ> echoes;
+  EXPECT_EQ(all.getFigures().outliers, cloud->size() - without.size());
+  OutlierRemoval<pcl::PointXYZ> echoes;
   echoes.setLargestGroup(3);
   const pcl::Indices with = kept(echoes, cloud);
   EXPECT_EQ(std::count_if(with.begin(), with.end(), isThing), static_cast<std::ptrdiff_t>(together));
-  EXPECT_GE(echoes.getFigures().kept_strays, together);
+  EXPECT_GE(echoes.getFigures().kept_outliers, together);
   EXPECT_LT(with.size(), without.size() + together + 10);
 }
 
-TEST(StrayRemoval, AFailureLeavesNothingBehind)
+TEST(OutlierRemoval, AFailureLeavesNothingBehind)
 {
-  StrayRemoval<pcl::PointXYZ> removal(true);
+  OutlierRemoval<pcl::PointXYZ> removal(true);
   pcl::PointCloud<pcl::PointXYZ> out;
   removal.setInputCloud(scan());
   removal.filter(out);
@@ -238,10 +238,10 @@ TEST(StrayRemoval, AFailureLeavesNothingBehind)
   EXPECT_FALSE(pcl::isFinite(out[0]));
 }
 
-TEST(StrayRemoval, ThreadsChangeNothingAndABadNumberIsRefused)
+TEST(OutlierRemoval, ThreadsChangeNothingAndABadNumberIsRefused)
 {
   const auto cloud = scan();
-  StrayRemoval<pcl::PointXYZ> removal;
+  OutlierRemoval<pcl::PointXYZ> removal;
   const pcl::Indices all = kept(removal, cloud);
   removal.setNumberOfThreads(1);
   EXPECT_EQ(removal.getNumberOfThreads(), 1u);
@@ -251,13 +251,13 @@ TEST(StrayRemoval, ThreadsChangeNothingAndABadNumberIsRefused)
   EXPECT_EQ(removal.getStatus().code(), StatusCode::InvalidArgument) << removal.getStatus().message();
 }
 
-TEST(StrayRemoval, SaysWhyPointsAreNoSurface)
+TEST(OutlierRemoval, SaysWhyPointsAreNoSurface)
 {
   pcl::PointCloud<pcl::PointXYZ>::Ptr few(new pcl::PointCloud<pcl::PointXYZ>);
   for (int i = 0; i < 10; ++i)
     few->push_back({static_cast<float>(i), 0.0f, 0.0f});
   for (const bool negative : {false, true}) {
-    StrayRemoval<pcl::PointXYZ> removal(true);
+    OutlierRemoval<pcl::PointXYZ> removal(true);
     removal.setNegative(negative);
     EXPECT_TRUE(kept(removal, few).empty());
     EXPECT_FALSE(removal.getStatus().ok());
@@ -265,4 +265,4 @@ TEST(StrayRemoval, SaysWhyPointsAreNoSurface)
   }
 }
 
-} // namespace stray_removal_test
+} // namespace outlier_removal_test
