@@ -4,8 +4,9 @@
 import pathlib
 import re
 
+import numpy as np
 import pytest
-from conftest import source
+from conftest import cap, source
 
 import pcl_spiral
 from pcl_spiral import _core
@@ -68,3 +69,13 @@ def test_every_sentence_is_an_exception_in_the_words_of_keywords(words):
 def test_every_word_is_a_keyword():
     for name, word in WORDS.items():
         assert re.split("[= ]", word.removeprefix("without ").removeprefix("leave "))[0] in KEYWORDS or name == "Scale it to mm", word
+
+
+def test_a_change_that_helps_is_written_as_python_takes_it():
+    points, settings = np.concatenate([cap(1500), cap(1200, seed=6) + [80, 0, 0]]), {"tool_radius": 6, "scallop": 0.5}
+    with pytest.raises(pcl_spiral.Error) as error:
+        pcl_spiral.spiral(points, **settings)
+    change = re.search(r"one gives a path of .*: (part_at=\(.*\))$", str(error.value))
+    assert change, str(error.value)
+    path = pcl_spiral.spiral(points, **settings, **eval(f"dict({change[1]})"))
+    assert len(path.contact) > 100

@@ -2,6 +2,7 @@
 #include "planning/single_change.h"
 
 #include "planning/closed_scan.h"
+#include "planning/idle_settings.h"
 #include "planning/proposed_value.h"
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
@@ -163,8 +164,26 @@ private:
   void addClosing()
   {
     const bool separate = names("setLargestPart") || names("setPartAt");
-    if (!input_.ball_closing && input_.cloud && !input_.mesh && knowsSide(input_))
-      add("{setBallClosing}, with a fixed tool axis", false, separate, [](PlanInput& changed) { changed.ball_closing = true; });
+    if (input_.ball_closing || !input_.cloud || input_.mesh || !knowsSide(input_))
+      return;
+    SingleChange change{"{setBallClosing}, with a fixed tool axis", input_, false, separate};
+    change.input.ball_closing = true;
+    leaveOutIdle(change);
+    found_.push_back(std::move(change));
+  }
+
+  /** Leaves out what has no effect with an axis that stays: programs refuse it. */
+  static void leaveOutIdle(SingleChange& change)
+  {
+    AskedJob job;
+    job.has_holder = job.keeps_axis = true;
+    SpiralSettings usual;
+    const std::vector<Setting> given = settingTable(change.input.settings), defaults = settingTable(usual);
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (textOf(given[i]) != textOf(defaults[i]) && idleSetting({given[i].name}, change.input.settings, job)) {
+        copyValue(defaults[i], given[i]);
+        change.words += Diagnostic((", without {" + given[i].setter + "}").c_str());
+      }
   }
 
   /** All keep-outs that the refusal proposes, or one about its first place. */

@@ -26,8 +26,8 @@ struct ToolWay {
   pcl::PointCloud<pcl::PointXYZ>::ConstPtr points; ///< everything that the scan has
   SurfaceMesh::ConstPtr mesh;                      ///< instead of points
   Diagnostic remedy;                               ///< for messages
-  bool is_ball = false;                            ///< the flank is the shank, and the holder begins at its end
   ProgressCallback progress;                       ///< may be empty
+  bool is_ball = false;                            ///< the flank is the shank, and the holder begins at its end
 };
 
 /** What \p tool would do at the place of \p collision: which part of it, how deep, where. */

@@ -5,6 +5,8 @@
 #include "terminal/vocabulary.h"
 #include "toolpath/command_line.h"
 
+#include <pcl_spiral/spiral/impl/settings_check.h>
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -17,7 +19,8 @@ using namespace pcl_spiral;
 using Eigen::Vector3d;
 using Words = std::vector<std::string>;
 
-const Words usual{"pcl_spiral_toolpath", "scan.xyz", "-o", "path.csv", "--tool-radius", "5", "--scallop", "0.1"};
+const Words usual{"pcl_spiral_toolpath", "scan.xyz", "-o",       "path.csv", "--tool-radius",  "5",
+                  "--scallop",           "0.1",      "--holder", "6,40",     "--flank-length", "20"};
 
 Job
 parsed(const Words& words)
@@ -84,6 +87,8 @@ typeEach(const Words& command)
       "{setPartAt}, {addKeepOut}, {setGapHandling}, {setClusterHandling(ClusterHandling::Ride)})");
   std::set<std::string> options;
   for (const SingleChange& change : singleChanges(input, {{StatusCode::Failed, said}, true})) {
+    if (!checkSettings(change.input.settings).ok())
+      continue; // two settings that the library refuses together: there is no path
     const std::string words = inWords(change.words);
     expectSame(inputOf(parsed(test::typedChange(command, words))), change.input, words);
     std::istringstream text(words);
@@ -98,14 +103,18 @@ typeEach(const Words& command)
 
 TEST(TypedChanges, GiveWhatWasTried)
 {
-  Words command = usual;
-  const Words more{"--tilt", "20", "--boundaries", "all", "--holes", "refuse", "--hole-size", "4", "--gaps", "refuse", "--sense", "cw"};
-  command.insert(command.end(), more.begin(), more.end());
-  setScanFrame(Vector3d::Zero(), readFindingOrigin());
+  std::set<std::string> options;
+  for (const Words& more : {Words{"--tilt", "20", "--boundaries", "all", "--hole-size", "4", "--sense", "cw"},
+                            Words{"--holes", "refuse", "--hole-size", "4", "--gaps", "refuse"}}) {
+    Words command = usual;
+    command.insert(command.end(), more.begin(), more.end());
+    setScanFrame(Vector3d::Zero(), readFindingOrigin());
+    options.merge(typeEach(command));
+  }
   const std::set<std::string> expected{"--ball-closing", "--boundaries", "--clusters", "--flank-length", "--gaps",
                                        "--hole-size",    "--holes",      "--keep-out", "--method",       "--part-at",
                                        "--scallop",      "--sense",      "--thin",     "--tilt",         "--tool-radius"};
-  EXPECT_EQ(typeEach(command), expected);
+  EXPECT_EQ(options, expected);
 }
 
 TEST(TypedChanges, PlacesAreInTheCoordinatesOfTheFile)
