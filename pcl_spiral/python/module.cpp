@@ -16,7 +16,7 @@ PYBIND11_MODULE(_core, module)
   addStages(module, tables);
   module.def("_say", [](const std::map<std::string, std::string>& words, const std::string& sentence) {
     raise("failed", pcl_spiral::Diagnostic(sentence.c_str()),
-          Words({words, false, nullptr})); // as a call with these keywords says it: for tests
+          Words({words, false, nullptr, nullptr})); // as a call with these keywords says it: for tests
   });
   module.attr("__version__") = PCL_SPIRAL_VERSION;
   module.attr("tables") = tables;

@@ -248,7 +248,7 @@ geodesicPath(const ShiftedSurface& surface, const py::handle& source, const py::
 {
   ReadOptions read;
   read.origin = surface.shift;
-  const Words words({{{"setSourcePoint", "source="}, {"setTargetPoints", "targets="}}, false, nullptr}, read);
+  const Words words({{{"setSourcePoint", "source="}, {"setTargetPoints", "targets="}}, false, nullptr, nullptr}, read);
   const auto stage = std::make_shared<GeodesicPath<Point>>();
   stage->setInputSurface(surface.value);
   stage->setSourcePoint(placeFrom(source, read));
