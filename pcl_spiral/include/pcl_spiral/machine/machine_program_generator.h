@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace pcl_spiral {
@@ -71,9 +72,9 @@ public:
   /** Poses of any cutter, in travel order. */
   void setInputPoses(const ToolPoses& poses) { setInputPasses({poses}); }
   /** The same for several passes: the tool leaves the surface after each pass and comes down to the next. */
-  void setInputPasses(const std::vector<ToolPoses>& passes)
+  void setInputPasses(std::vector<ToolPoses> passes)
   {
-    passes_ = passes;
+    passes_ = std::move(passes);
     path_radius_.reset();
   }
   /** Poses of a ball cutter of \p ball_radius mm along the passes of \p path (ballPasses). This radius counts; one in the settings must

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace pcl_spiral {
@@ -22,8 +24,10 @@ struct StockMesh {
 };
 
 /** The mesh of the points with a measured stock, in the order of the surface. \p stock: one value for each point that the reference was
- *  made of, as MaterialRemoval and PathVerifier::getHeights (Heights::stock) give it. */
-StockMesh stockMesh(const ReferenceSurface& reference, const std::vector<float>& stock);
+ *  made of, as MaterialRemoval and PathVerifier::getHeights (Heights::stock) give it. Of more points than \p most, those with the worst
+ *  stock of each cell of a grid are taken: the deepest gouge, else the highest stock. */
+StockMesh stockMesh(const ReferenceSurface& reference, const std::vector<float>& stock,
+                    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /** Adds \p more to \p mesh, as the stock of another region. */
 void append(const StockMesh& more, StockMesh& mesh);

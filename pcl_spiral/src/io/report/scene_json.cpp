@@ -2,6 +2,7 @@
 #include "scene_json.h"
 
 #include "packed_array.h"
+#include "verify/stock_cells.h"
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <Eigen/Geometry>
@@ -115,9 +116,7 @@ solid(std::vector<std::array<double, 2>> profile, const char* colour, double opa
 double
 spacingOf(const ReportScene& scene)
 {
-  double area = 0.0;
-  for (const auto& [a, b, c] : scene.part.triangles)
-    area += 0.5 * (scene.part.places[b] - scene.part.places[a]).cross(scene.part.places[c] - scene.part.places[a]).norm();
+  const double area = trianglesArea(scene.part.places, scene.part.triangles);
   return scene.frames.empty() ? 0.0 : area / std::max(1e-9, scene.frames.back().length);
 }
 

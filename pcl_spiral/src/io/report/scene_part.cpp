@@ -1,69 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_part.h"
 
+#include "verify/stock_cells.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <unordered_map>
 #include <utility>
 
 namespace pcl_spiral {
 namespace {
 
-/** The cell of a place: its indices in a grid, and the side that its normal faces, so that the two faces of a plate stay apart. */
-std::uint64_t
-cellOf(const Eigen::Vector3f& place, const Eigen::Vector3f& normal, const Eigen::Vector3f& low, float cell)
-{
-  Eigen::Index side = 0;
-  normal.cwiseAbs().maxCoeff(&side);
-  std::uint64_t key = 2 * static_cast<std::uint64_t>(side) + (normal[side] < 0.0f);
-  for (int d = 0; d < 3; ++d)
-    key = key << 20 | static_cast<std::uint64_t>((place[d] - low[d]) / cell);
-  return key;
-}
-
-/** The number of the cell of each place, counted in the order of their first places. */
-std::vector<std::uint32_t>
-cellNumbers(const ScenePart& part, float cell, std::size_t& cells)
-{
-  Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& p : part.places)
-    box.extend(p);
-  std::unordered_map<std::uint64_t, std::uint32_t> numbers;
-  std::vector<std::uint32_t> of_place;
-  of_place.reserve(part.places.size());
-  for (std::size_t i = 0; i < part.places.size(); ++i)
-    of_place.push_back(numbers.emplace(cellOf(part.places[i], part.normals[i], box.min(), cell), static_cast<std::uint32_t>(numbers.size()))
-                           .first->second);
-  cells = numbers.size();
-  return of_place;
-}
-
-/** Whether stock \p a matters more than \p b: gouges before heights, the larger before the smaller. */
-bool
-isWorseStock(float a, float b)
-{
-  if (std::isnan(a) || std::isnan(b))
-    return std::isnan(b) && !std::isnan(a);
-  return a < 0.0f || b < 0.0f ? a < b : a > b;
-}
-
-float
-partArea(const ScenePart& part)
-{
-  float area = 0.0f;
-  for (const auto& [a, b, c] : part.triangles)
-    area += 0.5f * (part.places[b] - part.places[a]).cross(part.places[c] - part.places[a]).norm();
-  return area;
-}
-
 /** The part with the places of each cell merged into the first. */
 ScenePart
-mergedPart(const ScenePart& part, const std::vector<std::uint32_t>& cell)
+mergedPart(const ScenePart& part, const StockCells& cells)
 {
+  const std::vector<std::uint32_t>& cell = cells.of_place;
   ScenePart merged;
   for (std::size_t i = 0; i < part.places.size(); ++i) {
     const bool first = cell[i] == merged.places.size();
@@ -78,9 +33,7 @@ mergedPart(const ScenePart& part, const std::vector<std::uint32_t>& cell)
     else if (isWorseStock(part.stock[i], merged.stock[cell[i]]))
       merged.stock[cell[i]] = part.stock[i];
   }
-  for (const auto& [a, b, c] : part.triangles)
-    if (cell[a] != cell[b] && cell[b] != cell[c] && cell[c] != cell[a])
-      merged.triangles.push_back({cell[a], cell[b], cell[c]});
+  merged.triangles = trianglesOf(cells, part.triangles);
   return merged;
 }
 
@@ -168,7 +121,8 @@ addMesh(const SurfaceMesh& mesh, std::size_t most, ScenePart& part)
     }
     own.triangles.push_back(corners);
   }
-  const float longest = std::max(finest * box.diagonal().norm(), 2.0f * std::sqrt(partArea(own) / static_cast<float>(most)));
+  const float longest = std::max(finest * box.diagonal().norm(),
+                                 2.0f * std::sqrt(static_cast<float>(trianglesArea(own.places, own.triangles)) / static_cast<float>(most)));
   while (own.places.size() < most && halveEdges(longest, own)) {
   }
   const auto first = static_cast<std::uint32_t>(part.places.size());
@@ -183,14 +137,9 @@ thinPart(std::size_t most, ScenePart& part)
 {
   if (part.places.size() <= most)
     return 0.0;
-  float cell = std::sqrt(std::max(partArea(part), 1e-12f) / static_cast<float>(most));
-  for (std::size_t cells = 0;; cell *= 1.1f) {
-    const std::vector<std::uint32_t> of_place = cellNumbers(part, cell, cells);
-    if (cells > most)
-      continue;
-    part = mergedPart(part, of_place);
-    return std::sqrt(3.0) * static_cast<double>(cell);
-  }
+  const StockCells cells = stockCells(part.places, part.normals, trianglesArea(part.places, part.triangles), most);
+  part = mergedPart(part, cells);
+  return cells.apart;
 }
 
 } // namespace pcl_spiral
