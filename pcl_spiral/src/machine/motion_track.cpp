@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "machine/motion_track.h"
 
+#include "half_turn.h"
 #include <pcl_spiral/machine/impl/sampled_moves.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 namespace pcl_spiral {
 
@@ -38,6 +42,31 @@ MotionTrack::secondsAt(double length) const
   return secondsIn(block, way > 0.0 ? std::clamp((length - begin) / way, 0.0, 1.0) : 1.0);
 }
 
+/** The rotary axes turn evenly; where the tool axis moves along an arc, as that \p axis needs. */
+RotaryAngles
+MotionTrack::anglesAt(const ProgramBlock& from, const ProgramBlock& to, double share, const Eigen::Vector3d& axis) const
+{
+  RotaryAngles even = from.angles;
+  even.first += share * (to.angles.first - from.angles.first);
+  even.second += share * (to.angles.second - from.angles.second);
+  if (!axis_arcs_ || program_.machine.three_axes)
+    return even;
+  RotaryAngles nearest = even;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Branch branch : {Branch::Larger, Branch::Smaller}) {
+    std::optional<RotaryAngles> found = kinematics_.front().anglesOf(axis, branch);
+    if (!found)
+      continue;
+    found->first = std::isnan(found->first) ? even.first : nearestTurn(found->first, even.first); // at the pole any reaches the axis
+    found->second = nearestTurn(found->second, even.second);
+    const double off = std::hypot(found->first - even.first, found->second - even.second);
+    if (off < least)
+      nearest = *found;
+    least = std::min(least, off);
+  }
+  return nearest;
+}
+
 MotionFrame
 MotionTrack::at(double seconds) const
 {
@@ -53,8 +82,7 @@ MotionTrack::at(double seconds) const
   const double way = ways_[frame.block] - ways_[before];
   frame.tip = pose.tip;
   frame.axis = pose.axis;
-  frame.angles.first = from.angles.first + frame.share * (to.angles.first - from.angles.first);
-  frame.angles.second = from.angles.second + frame.share * (to.angles.second - from.angles.second);
+  frame.angles = anglesAt(from, to, frame.share, pose.axis);
   frame.length = ways_[before] + frame.share * way;
   frame.feed = took > 0.0 ? 60.0 * way / took : 0.0;
   frame.asked = !to.rapid && to.minutes > 0.0 ? way / to.minutes : 0.0;

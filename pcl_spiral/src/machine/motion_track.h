@@ -35,11 +35,15 @@ public:
   MotionTrack(MachineProgram program, const MotionTime& time, bool axis_arcs = false);
 
   const MachineProgram& program() const { return program_; }
+  /** Of its machine. There must be a program. */
+  const Kinematics& kinematics() const { return kinematics_.front(); }
   std::size_t blocks() const { return ends_.size(); }
   double seconds() const { return ends_.empty() ? 0.0 : ends_.back(); }
   double length() const { return ways_.empty() ? 0.0 : ways_.back(); }
   /** When block \p block ends, s. */
   double endOf(std::size_t block) const { return ends_[block]; }
+  /** The same of every block. */
+  const std::vector<double>& ends() const { return ends_; }
 
   /** At \p seconds since the begin; before the first block, and after the last, at their ends. There must be a block. */
   MotionFrame at(double seconds) const;
@@ -49,6 +53,8 @@ public:
   double secondsIn(std::size_t block, double share) const;
 
 private:
+  RotaryAngles anglesAt(const ProgramBlock& from, const ProgramBlock& to, double share, const Eigen::Vector3d& axis) const;
+
   MachineProgram program_;
   bool axis_arcs_ = false;
   std::vector<Kinematics> kinematics_; ///< of the machine; none without a program

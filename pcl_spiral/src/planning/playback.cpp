@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/playback.h"
 
+#include "planning/way_times.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/machine/motion_time.h>
@@ -15,31 +16,37 @@ namespace {
 
 constexpr double least_shallow = 0.2; // in scallop heights: where rays start, as those of the judge
 
-/** The tool at each point of the path; a ball without axes stands along the normals. */
-ToolPoses
-posesOn(const PlaybackInput& input)
+/** The tool at point \p i of the path; a ball without axes stands along the normals. */
+ToolPose
+poseOn(const PlaybackInput& input, const CutterProfile& profile, std::size_t i)
 {
-  ToolPoses poses = ballPoses(*input.path, input.cutter.radius);
-  const CutterProfile profile(input.cutter);
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    ToolPose& pose = poses[i];
-    if (!pose.axis.allFinite() || pose.axis.norm() < 0.5)
-      pose.axis = pose.normal;
-    pose.tip = input.tips.empty() ? profile.locate(pose.contact, pose.normal, pose.axis).tip : input.tips[i];
-  }
-  return poses;
+  const ToolpathPoint& point = (*input.path)[i];
+  ToolPose pose;
+  pose.contact = point.getVector3fMap().cast<double>();
+  pose.normal = point.getNormalVector3fMap().cast<double>().normalized();
+  pose.axis = point.getAxisVector3fMap().cast<double>().normalized();
+  if (!pose.axis.allFinite() || pose.axis.norm() < 0.5)
+    pose.axis = pose.normal;
+  pose.tip = input.tips.empty() ? profile.locate(pose.contact, pose.normal, pose.axis).tip : input.tips[i];
+  return pose;
 }
 
 Status
-makeProgram(const PlaybackInput& input, const ToolPoses& poses, MachineProgram& program)
+makeProgram(const PlaybackInput& input, MachineProgram& program)
 {
   MachineProgramGenerator generator;
   generator.setMachine(input.machine);
   generator.setQuiet(true);
+  const CutterProfile profile(input.cutter);
   std::vector<ToolPoses> passes;
-  for (const PassRange& pass : passRanges(passBegins(*input.path), poses.size()))
-    passes.emplace_back(poses.begin() + static_cast<std::ptrdiff_t>(pass.begin), poses.begin() + static_cast<std::ptrdiff_t>(pass.end));
-  generator.setInputPasses(passes);
+  for (const PassRange& range : passRanges(passBegins(*input.path), input.path->size())) {
+    ToolPoses pass;
+    pass.reserve(range.end - range.begin);
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      pass.push_back(poseOn(input, profile, i));
+    passes.push_back(std::move(pass));
+  }
+  generator.setInputPasses(std::move(passes));
   ProgramSettings settings;
   settings.feed = input.feed;
   settings.ball_radius = isBall(input.cutter) ? input.cutter.radius : 0.0;
@@ -48,48 +55,23 @@ makeProgram(const PlaybackInput& input, const ToolPoses& poses, MachineProgram& 
   return generator.getStatus();
 }
 
-/** Of a path that became a program: by the way of the contacts, pass by pass. */
-std::vector<double>
-reachedByWay(const PlaybackInput& input, const ToolPoses& poses, const MotionTrack& track)
-{
-  const std::vector<ProgramBlock>& blocks = track.program().blocks;
-  const std::vector<std::size_t> begins = passBegins(*input.path);
-  std::vector<double> reached;
-  constexpr double rounding = 1e-9; // of the way of a pass
-  std::size_t block = 0, pass = 0;
-  double way = 0.0, begin = 0.0; // along the pass, and arc length where it begins
-  const auto cuts = [&](std::size_t b) { return blocks[b].section == BlockSection::Cut && blocks[b].pass == pass; };
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const bool first = i == 0 || beginsPass(begins, i);
-    if (i > 0 && first)
-      ++pass;
-    way = first ? 0.0 : way + (poses[i].contact - poses[i - 1].contact).norm();
-    const auto isHere = [&] { return cuts(block) && (first || blocks[block].arc_length >= begin + way * (1.0 - rounding)); };
-    while (block + 1 < blocks.size() && blocks[block + 1].pass <= pass && !isHere())
-      ++block;
-    const double before = block > 0 ? blocks[block - 1].arc_length : 0.0, made = blocks[block].arc_length - before;
-    if (first)
-      begin = before;
-    const double share = made > 0.0 ? std::clamp((begin + way - before) / made, 0.0, 1.0) : 1.0;
-    reached.push_back(track.secondsIn(block, first ? 0.0 : share));
-  }
-  return reached;
-}
-
 /** Of the points of a program that was read back: by the way of the tip in their blocks. */
 std::vector<double>
-reachedByLine(const PlaybackInput& input, const ToolPoses& poses, const std::vector<std::size_t>& lines, const MotionTrack& track)
+reachedByLine(const PlaybackInput& input, const std::vector<std::size_t>& lines, const MotionTrack& track)
 {
+  const CutterProfile profile(input.cutter);
   const std::vector<ProgramBlock>& blocks = track.program().blocks;
   std::vector<double> reached;
   std::size_t block = 0;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
+  for (std::size_t i = 0; i < input.path->size(); ++i) {
     while (block + 1 < blocks.size() && lines[block] != input.lines[i])
       ++block;
-    const bool last = i + 1 == poses.size() || input.lines[i + 1] != input.lines[i];
+    const bool last = i + 1 == input.path->size() || input.lines[i + 1] != input.lines[i];
     const Eigen::Vector3d from = block > 0 ? blocks[block - 1].tip : blocks[block].tip;
     const double way = (blocks[block].tip - from).norm();
-    reached.push_back(track.secondsIn(block, last || !(way > 0.0) ? 1.0 : std::min(1.0, (poses[i].tip - from).norm() / way)));
+    const double share = last || !(way > 0.0) ? 1.0 : std::min(1.0, (poseOn(input, profile, i).tip - from).norm() / way);
+    const double then = track.secondsIn(block, share);
+    reached.push_back(reached.empty() ? then : std::max(then, reached.back()));
   }
   return reached;
 }
@@ -111,28 +93,29 @@ markLeads(const std::vector<std::size_t>& on_path, const std::vector<std::size_t
 } // namespace
 
 Status
-playbackTime(const PlaybackInput& input, PlaybackTime& time)
+playbackTime(PlaybackInput& input, PlaybackTime& time)
 {
-  const ToolPoses poses = posesOn(input);
   MachineProgram program;
-  if (input.program) {
-    program = input.program->program;
-    time.lines = input.program->lines;
+  const bool given = input.program.has_value(), axis_arcs = given && input.program->axis_arcs;
+  const std::optional<double> tolerance = given ? input.program->tolerance : std::nullopt;
+  if (given) {
+    program = std::move(input.program->program);
+    time.lines = std::move(input.program->lines);
+    input.program.reset();
     if (time.lines.empty()) { // a program without text, whose blocks the judge counts
       time.lines.resize(program.blocks.size());
       std::iota(time.lines.begin(), time.lines.end(), std::size_t{1});
     }
     markLeads(input.lines, time.lines, program);
   }
-  else if (const Status status = makeProgram(input, poses, program); !status.ok())
+  else if (const Status status = makeProgram(input, program); !status.ok())
     return status;
-  const std::optional<MotionTime> motion = motionTime(program, input.control, input.program ? input.program->tolerance : std::nullopt);
+  const std::optional<MotionTime> motion = motionTime(program, input.control, tolerance);
   if (!motion || program.blocks.empty())
     return {StatusCode::InvalidInput, "the program has no blocks, or a block without a finite place or time, so that it cannot be played"};
-  time.track = MotionTrack(std::move(program), *motion, input.program && input.program->axis_arcs);
-  time.reached = input.program ? reachedByLine(input, poses, time.lines, time.track) : reachedByWay(input, poses, time.track);
-  for (std::size_t i = 1; i < time.reached.size(); ++i)
-    time.reached[i] = std::max(time.reached[i], time.reached[i - 1]);
+  time.track = MotionTrack(std::move(program), *motion, axis_arcs);
+  time.reached = given ? reachedByLine(input, time.lines, time.track)
+                       : timesOnWay(*input.path, passBegins(*input.path), time.track.program().blocks, time.track.ends());
   return Status::success();
 }
 

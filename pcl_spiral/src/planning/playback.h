@@ -36,10 +36,10 @@ struct PlaybackTime {
   std::vector<std::size_t> lines; ///< of the text of each block, from 1; empty: there is no text
 };
 
-/** Finds the times. A path becomes a program of the machine, with retracts between its passes, and leads.
- *  Blocks of a program that the judge found to be leads become BlockSection::LeadIn. Fails as MachineProgramGenerator, and on a program
- *  whose times are not known. */
-Status playbackTime(const PlaybackInput& input, PlaybackTime& time);
+/** Finds the times. Takes the program out of \p input. A path becomes a program of the machine, with retracts between its passes, and
+ *  leads. Blocks of a program that the judge found to be leads become BlockSection::LeadIn. Fails as MachineProgramGenerator, and on a
+ *  program whose times are not known. */
+Status playbackTime(PlaybackInput& input, PlaybackTime& time);
 
 /** How many moves of the path are complete after \p seconds. */
 std::size_t movesAfter(const PlaybackTime& time, double seconds);

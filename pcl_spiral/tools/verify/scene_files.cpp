@@ -53,7 +53,7 @@ void
 writeCutSeries(const VerifyJob& job, const ReferenceSurface& surface, const JudgedPath& judged, const FiledPath& filed, OutputFiles& files,
                std::size_t first)
 {
-  const PlaybackInput input = playedPath(job, judged, filed);
+  PlaybackInput input = playedPath(job, judged, filed);
   const StockMesh mesh = stockMesh(surface, judged.heights.stock);
   PlaybackTime time;
   StockFalls falls;

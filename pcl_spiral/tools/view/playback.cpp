@@ -25,6 +25,7 @@ playbackScene(const ViewJob& job, const ReferenceSurface& reference, const Judge
     if (figures.leads.collided > 0)
       scene.stops.push_back({inWords(figures.faults.back()), 0, figures.leads.deepest.block});
   }
-  scene.left = stockMesh(reference, judged.heights.stock);
+  constexpr std::size_t most_places = 250000; // more than a window has pixels to show
+  scene.left = stockMesh(reference, judged.heights.stock, most_places);
   return scene;
 }

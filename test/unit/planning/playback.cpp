@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A judged path and a judged program in time: the tool is at each point of the path when the times say so.
 #include "planning/playback.h"
+#include "planning/way_times.h"
 #include <pcl_spiral/io/program_reader.h>
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/impl/kinematics.h>
+#include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/planning/program_planner.h>
 #include <pcl_spiral/verify/impl/reference_surface.h>
 
@@ -99,7 +101,7 @@ TEST(Playback, APathIsPlayedAsTheProgramThatIsMadeOfIt)
   given.path = spiral().getPlan().path;
   Judged judged;
   judge(given, judged);
-  const PlaybackInput input = inputOf(judged);
+  PlaybackInput input = inputOf(judged);
   PlaybackTime time;
   const Status status = playbackTime(input, time);
   ASSERT_TRUE(status.ok()) << status.message();
@@ -131,6 +133,33 @@ TEST(Playback, EveryPassOfAPathIsPlayed)
   const Status status = playbackTime(input, time);
   ASSERT_TRUE(status.ok()) << status.message();
   expectOnThePath(input, time, 0.004);
+}
+
+TEST(Playback, TheEndOfAPassIsReachedOnTheSurface)
+{
+  std::vector<ToolPoses> passes(2);
+  for (int pass = 0; pass < 2; ++pass)
+    for (int i = 0; i < 2000; ++i) { // far from zero, so that single precision changes the length of each move
+      ToolPose pose;
+      pose.contact = Eigen::Vector3d(7031.37 + 0.0137 * i, 911.13 + 5.0 * pass + 0.3 * std::sin(0.01 * i), 3.0);
+      pose.tip = pose.contact;
+      passes[pass].push_back(pose);
+    }
+  MachineProgramGenerator generator;
+  generator.setMachine(xyzacTrunnion());
+  generator.setInputPasses(passes);
+  MachineProgram program;
+  generator.compute(program);
+  ASSERT_TRUE(generator.getStatus().ok()) << generator.getStatus().message();
+  MotionTime even; // a second each
+  even.blocks.assign(program.blocks.size(), 1.0);
+  const MotionTrack track(program, even);
+  const PassPath joined = joinedPasses(passes);
+  const std::vector<double> times = timesOnWay(joined.path, joined.begins, program.blocks, track.ends());
+  ASSERT_EQ(times.size(), joined.path.size());
+  EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
+  for (std::size_t i = 0; i < times.size(); ++i)
+    ASSERT_LT((track.at(times[i]).tip - joined.tips[i]).norm(), 0.1) << i; // the lead away is 2 mm long
 }
 
 TEST(Playback, AProgramIsPlayedLineByLineAndLeavesTheStockOfTheJudge)

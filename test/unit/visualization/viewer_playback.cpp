@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The playback of a viewer: keys, bar, tool and stock on the screen.
 #include "visualization/viewer/viewer_session.h"
-#include <pcl_spiral/planning/impl/path_judge.h>
-#include <pcl_spiral/verify/impl/reference_surface.h>
 
-#include "support/passes.h"
-#include "support/reference.h"
+#include "support/judged_passes.h"
 #include "support/window_frame.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +18,6 @@ using namespace pcl_spiral::test;
 
 namespace {
 
-constexpr double R = 6.0, h = 0.05;
-
 /** Passes of a ball over a dome, judged, in a window. */
 class ViewerPlayback : public testing::Test {
 protected:
@@ -30,43 +25,11 @@ protected:
   {
     if (!displayFault().empty())
       GTEST_SKIP() << "no display here";
-    const SurfacePtr surface = ball(60.0, Region({circle({0, 0}, 12.0)}));
-    JudgedInput input;
-    input.cloud = toCloud(sampleUniform(*surface, 3000, 1).points);
-    input.settings.cutter = CutterShape::ball(R);
-    input.settings.scallop_height = h;
-    std::vector<double> us;
-    for (double u = -12.0; u <= 12.0; u += exactStepOver(R, h, 1.0 / 60.0))
-      us.push_back(u);
-    const auto path = toolpath(straightPasses(*surface, us, 12.0, 0.8));
-    for (std::size_t i = 1; i < path->size(); ++i)
-      (*path)[i].arc_length = (*path)[i - 1].arc_length + ((*path)[i].getVector3fMap() - (*path)[i - 1].getVector3fMap()).norm();
-    GivenPath given;
-    given.path = path;
-    PathJudge judge;
-    JudgedPath judged;
-    ASSERT_TRUE(judge.prepare(input, 0.0).ok());
-    judge.setProgress({});
-    ASSERT_TRUE(judge.judge(given, 0, judged).ok());
-    const ReferenceSurface& reference = *judge.parts().front().reference;
-    VerificationScene scene;
-    scene.part.title = "dome";
-    scene.part.cloud = input.cloud;
-    scene.part.path = judged.path;
-    scene.part.settings.tool_radius = R;
-    scene.part.settings.scallop_height = h;
-    scene.part.report.loops = reference.loops();
-    scene.part.report.spacing = reference.graph().spacing();
-    scene.stock = judged.heights.stock;
-    scene.removal_figures = judged.verification.removal;
-    PlaybackScene played;
-    played.cutter = input.settings.cutter;
-    played.machine = xyzacTrunnion();
-    played.left = stockMesh(reference, judged.heights.stock);
-    played.stops.push_back({"look here", 100, {}});
-    session = std::make_unique<ViewerSession>(std::move(scene));
+    JudgedPasses passes;
+    ASSERT_NO_FATAL_FAILURE(passes.make());
+    session = std::make_unique<ViewerSession>(std::move(passes.scene));
     session->window.window()->SetSize(960, 720);
-    session->setPlayback(std::move(played));
+    session->setPlayback(std::move(passes.played));
   }
   std::size_t magenta() const
   {
@@ -111,8 +74,26 @@ TEST_F(ViewerPlayback, KeysMoveTheToolThroughTheProgram)
   EXPECT_LT(slow.feed, 0.9 * slow.asked) << session->message;
   session->press("g");
   EXPECT_EQ(player.seconds(), player.time().reached[session->scene.removal_figures.gouge.index]);
+  session->press("x");
+  EXPECT_EQ(session->message.find("X at its smallest: "), 0U) << session->message;
+  EXPECT_NE(session->message.find("it has no limit"), std::string::npos) << session->message;
   session->press("1");
   EXPECT_EQ(session->choice.page, ViewerPage::Boundaries);
+}
+
+TEST_F(ViewerPlayback, TheMachineIsShownAndThePartTurnsWithItsTable)
+{
+  session->press("6");
+  session->player->seekShare(0.4);
+  session->press("z");
+  const std::size_t alone = magenta();
+  session->press("m");
+  EXPECT_TRUE(session->playback->showsMachine());
+  const std::size_t with_machine = magenta();
+  EXPECT_LT(with_machine, 0.5 * alone) << "seen from farther away, and turned with the table";
+  EXPECT_NE(session->playback->motion().find("axes X Y Z"), std::string::npos) << session->playback->motion();
+  session->press("m");
+  EXPECT_NEAR(static_cast<double>(magenta()), static_cast<double>(alone), 0.02 * alone) << "as before";
 }
 
 TEST_F(ViewerPlayback, ThePageGoesWithItsPlayback)

@@ -120,10 +120,7 @@ SceneBuilder::addProgram(const ProgramFile& program, const ProgramFigures& judge
   PlaybackTime time;
   if (!judged.motion || !judged.motion->status.ok() || !playbackTime(input, time).ok())
     return addPath(path, judged.lines);
-  ShownProgram shown{time.track.program(), {}, time.reached, time.lines};
-  for (std::size_t b = 0; b < time.track.blocks(); ++b)
-    shown.ends.push_back(time.track.endOf(b));
-  setProgram(shown, path);
+  setProgram({time.track.program(), time.track.ends(), time.reached, time.lines}, path);
   scene_.feed_word = feed_of_program;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_frames.h"
 
+#include "planning/way_times.h"
 #include <pcl_spiral/core/impl/angles.h>
 
 #include <pcl/kdtree/kdtree_flann.h>
@@ -124,18 +125,8 @@ shownProgram(const MachineProgram& program, const MotionStudy* motion, const Sho
     shown.ends.push_back((b > 0 ? shown.ends.back() : 0.0) + (timed   ? motion->time.blocks[b]
                                                               : b > 0 ? plainSeconds(blocks[b - 1], blocks[b])
                                                                       : 0.0));
-  std::size_t b = 0, pass = 0;
-  for (std::size_t i = 0; i < path.points->size() && !blocks.empty(); ++i) {
-    const bool begins = pass < path.begins.size() && path.begins[pass] == i;
-    pass += begins;
-    const double length = (*path.points)[i].arc_length * (1.0 - 1e-9);
-    const auto isHere = [&](const ProgramBlock& block) {
-      return block.section == BlockSection::Cut && block.pass == pass && (begins || i == 0 || block.arc_length >= length);
-    };
-    while (b + 1 < blocks.size() && !isHere(blocks[b]) && blocks[b + 1].pass <= pass)
-      ++b;
-    shown.reached.push_back(shown.ends[(begins || i == 0) && b > 0 ? b - 1 : b]);
-  }
+  if (!blocks.empty())
+    shown.reached = timesOnWay(*path.points, path.begins, blocks, shown.ends);
   return shown;
 }
 

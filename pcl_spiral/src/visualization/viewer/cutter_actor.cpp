@@ -49,6 +49,13 @@ revolved(const std::vector<Eigen::Vector2d>& profile, const Eigen::Vector3d& cen
   return body;
 }
 
+/** Height of the upper end of the flank. */
+double
+flankEnd(const CutterProfile& shape)
+{
+  return std::max(shape.topHeight(), shape.cornerHeight());
+}
+
 } // namespace
 
 vtkSmartPointer<vtkActor>
@@ -77,7 +84,7 @@ toolActor(const CutterShape& cutter, const std::vector<ToolSegment>& holder)
     const double angle = (0.5 * pi - shape.flankAngle()) * k / ball_rings, r = shape.cornerRadius();
     profile.emplace_back(shape.flatRadius() + r * std::sin(angle), r - r * std::cos(angle));
   }
-  double height = std::max(shape.topHeight(), shape.cornerHeight());
+  double height = flankEnd(shape);
   profile.emplace_back(shape.radius(), height);
   if (holder.empty())
     profile.emplace_back(shape.radius(), height += shank_radii * shape.radius());
@@ -89,6 +96,16 @@ toolActor(const CutterShape& cutter, const std::vector<ToolSegment>& holder)
   auto actor = surfaceActor(revolved(profile, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()), cutter_color);
   actor->GetProperty()->SetOpacity(opacity);
   return actor;
+}
+
+double
+toolHeight(const CutterShape& cutter, const std::vector<ToolSegment>& holder)
+{
+  const CutterProfile shape(cutter);
+  double height = flankEnd(shape) + (holder.empty() ? shank_radii * shape.radius() : 0.0);
+  for (const ToolSegment& segment : holder)
+    height += segment.length;
+  return height;
 }
 
 } // namespace pcl_spiral

@@ -22,4 +22,7 @@ vtkSmartPointer<vtkActor> cutterActor(const ToolpathPoint& point, double radius)
  *  a shank as wide as the cutter. */
 vtkSmartPointer<vtkActor> toolActor(const CutterShape& cutter, const std::vector<ToolSegment>& holder);
 
+/** Height of its upper end above the tip. */
+double toolHeight(const CutterShape& cutter, const std::vector<ToolSegment>& holder);
+
 } // namespace pcl_spiral

@@ -6,7 +6,6 @@
 
 #include <pcl_spiral/core/impl/angles.h>
 
-#include <vtkMatrix4x4.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
 #include <vtkRegularPolygonSource.h>
@@ -78,6 +77,9 @@ PlaybackPage::start()
   for (std::size_t i = 0; i < player_.scene().left.places.size(); ++i)
     patches_->set(i, static_cast<float>(scene_.removal_figures.reach));
   tool_ = toolActor(player_.scene().cutter, player_.scene().holder);
+  const DisplaySurface& part = window_.surface();
+  machine_ = std::make_unique<MachineActors>(machineSolids(player_.time().track.program().machine, {part.low, part.high},
+                                                           toolHeight(player_.scene().cutter, player_.scene().holder)));
   vtkNew<vtkRegularPolygonSource> disc;
   disc->SetNumberOfSides(24);
   disc->SetRadius(knob_radius);
@@ -115,15 +117,19 @@ PlaybackPage::fill()
   for (const auto& actor : patches_->actors())
     window_.add(actor);
   window_.add(tool_);
+  for (const auto& actor : machine_->actors())
+    if (shows_machine_)
+      window_.add(actor);
   vtkRenderer* const words = window_.words();
   addStrokes(words, {{Eigen::Vector2d(bar_left, bar_bottom), Eigen::Vector2d(bar_left + barLength(), bar_bottom)}}, bar_color, 4.0f);
   words->AddActor2D(knob_);
   words->AddActor2D(first_);
   words->AddActor2D(second_);
-  const std::string what = player_.scene().program ? "program" : "path";
+  const std::string what = player_.playsProgram() ? "program" : "path";
   addTitle(words, window_.page(), scene_.part.title + ": " + what + " in time",
            std::to_string(player_.time().track.blocks()) + " blocks, " + clockText(player_.time().track.seconds()) + " on " +
-               controlModel(player_.scene().control).name + "; shares at the right: when all is done");
+               controlModel(player_.scene().control).name +
+               formatted(", stock of %zu places; shares at the right: when all is done", player_.scene().left.places.size()));
   addColorBar(words, window_.page(), "stock, mm", scale_.colors());
   update();
   return addLegend(words, window_.page(), scale_.legend(scene_.stock));
@@ -133,20 +139,25 @@ void
 PlaybackPage::update()
 {
   const MotionFrame frame = player_.frame();
-  const Eigen::Vector3d x = frame.axis.unitOrthogonal(), y = frame.axis.cross(x);
-  vtkNew<vtkMatrix4x4> matrix;
-  for (int r = 0; r < 3; ++r) {
-    matrix->SetElement(r, 0, x[r]);
-    matrix->SetElement(r, 1, y[r]);
-    matrix->SetElement(r, 2, frame.axis[r]);
-    matrix->SetElement(r, 3, frame.tip[r]);
-  }
-  tool_->SetUserMatrix(matrix);
+  place(frame);
   player_.fallTo([this](std::size_t place, float height) { patches_->set(place, height); });
   patches_->finish();
   fallen_ = player_.hasStock();
   knob_->SetPosition(bar_left + player_.share() * barLength(), bar_bottom);
   writeWords(frame);
+}
+
+/** Part, tool and machine, in the frame of the part, or if the machine is shown in the frame that stands. */
+void
+PlaybackPage::place(const MotionFrame& frame)
+{
+  const MachineStand stand(player_.time().track.kinematics(), frame.tip, frame.angles);
+  const Eigen::Isometry3d part = shows_machine_ ? stand.part() : Eigen::Isometry3d::Identity();
+  tool_->SetUserMatrix(matrixOf(part * stand.part().inverse() * stand.tool()));
+  for (const auto& actor : patches_->actors())
+    actor->SetUserMatrix(matrixOf(part));
+  if (shows_machine_)
+    machine_->moveTo(stand);
 }
 
 void
@@ -165,7 +176,10 @@ PlaybackPage::writeWords(const MotionFrame& frame)
   if (!machine.three_axes)
     motion_ += formatted("   %c %9.3f  %c %9.3f deg", machine.rotary[0].letter, frame.angles.first * in_degrees, machine.rotary[1].letter,
                          frame.angles.second * in_degrees);
-  motion_ += formatted("   tip %.3f %.3f %.3f", frame.tip.x(), frame.tip.y(), frame.tip.z());
+  const Kinematics& kinematics = time.track.kinematics();
+  const Eigen::Vector3d gauge = kinematics.gaugePoint(kinematics.programmed(frame.tip, frame.angles));
+  const Eigen::Vector3d& shown = shows_machine_ ? gauge : frame.tip;
+  motion_ += formatted("   %s %.3f %.3f %.3f", shows_machine_ ? "axes X Y Z" : "tip", shown.x(), shown.y(), shown.z());
   first_->SetInput(place_.c_str());
   second_->SetInput(motion_.c_str());
 }

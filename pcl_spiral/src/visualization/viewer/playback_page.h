@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "machine_actors.h"
 #include "player.h"
 #include "stock_patches.h"
 #include "viewer_window.h"
@@ -27,6 +28,9 @@ public:
   int fill();
   /** Moves and colours what has changed since; the window is not rendered. */
   void update();
+  /** Shows the machine, with the part on its table, or the part alone, which then stands. */
+  void toggleMachine() { shows_machine_ = !shows_machine_; }
+  bool showsMachine() const { return shows_machine_; }
   /** Whether a pixel is on the bar. */
   bool isOnBar(int x, int y) const;
   /** The share of the whole at a pixel on the bar. */
@@ -37,6 +41,7 @@ public:
 
 private:
   void start();
+  void place(const MotionFrame& frame);
   void writeWords(const MotionFrame& frame);
   int barLength() const;
 
@@ -45,10 +50,12 @@ private:
   ViewerWindow& window_;
   StockScale scale_;
   std::unique_ptr<StockPatches> patches_;
+  std::unique_ptr<MachineActors> machine_;
   vtkSmartPointer<vtkActor> tool_;
   vtkNew<vtkTextActor> first_, second_;
   vtkSmartPointer<vtkActor2D> knob_;
   std::string place_, motion_;
+  bool shows_machine_ = false;
   bool fallen_ = false; ///< the stock is known
 };
 

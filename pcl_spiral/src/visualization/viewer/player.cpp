@@ -24,11 +24,12 @@ constexpr double just_before = 1e-9;  // s
 Player::Player(PlaybackScene scene, const VerificationScene& judged) : scene_(std::move(scene)), removal_(judged.removal_figures)
 {
   input_.path = judged.part.path;
-  input_.tips = scene_.tips;
-  input_.cutter = scene_.cutter;
-  input_.lines = scene_.lines;
-  input_.program = scene_.program;
   input_.machine = scene_.program ? scene_.program->program.machine : scene_.machine;
+  input_.tips = std::move(scene_.tips);
+  input_.cutter = scene_.cutter;
+  input_.lines = std::move(scene_.lines);
+  input_.program = std::move(scene_.program);
+  scene_.program.reset();
   input_.feed = scene_.feed;
   input_.control = controlModel(scene_.control, input_.machine);
 }
@@ -48,6 +49,7 @@ Player::prepare()
   if (!status.ok())
     return *fault_;
   findSlow();
+  extremes_ = axisExtremes(time_.track.program());
   coming_ = std::async(std::launch::async, [this] { return computedStock(); });
   return *fault_;
 }
@@ -159,7 +161,7 @@ Player::stepBlock(bool on)
 void
 Player::stepTurn(bool on)
 {
-  if (input_.program && !input_.machine.three_axes)
+  if (playsProgram() && !input_.machine.three_axes)
     return stepRotation(on);
   const pcl::PointCloud<ToolpathPoint>& path = *input_.path;
   const std::size_t i = std::min(moves(), path.size() - 1);
@@ -214,6 +216,20 @@ Player::nextWarning()
   next_warning_ = (next_warning_ + 1) % scene_.stops.size();
   stop.block ? goToBlock(std::min(*stop.block, time_.track.blocks() - 1)) : goToPoint(stop.point);
   return stop.words;
+}
+
+std::string
+Player::nextExtreme()
+{
+  const AxisExtreme& at = extremes_[next_extreme_];
+  next_extreme_ = (next_extreme_ + 1) % extremes_.size();
+  goToBlock(at.block);
+  const double unit = at.rotary ? in_degrees : 1.0;
+  const char* const name = at.rotary ? "degrees" : "mm";
+  return formatted("%c at its %s: %.3f %s; ", at.letter, at.largest ? "largest" : "smallest", unit * at.value, name) +
+         (std::isfinite(at.limit)
+              ? formatted("its limit is %.3f, %.3f %s away", unit * at.limit, unit * std::abs(at.limit - at.value), name)
+              : std::string("it has no limit"));
 }
 
 bool

@@ -4,6 +4,7 @@
  */
 #pragma once
 
+#include "machine/axis_extremes.h"
 #include "planning/playback.h"
 #include <pcl_spiral/visualization/spiral_viewer.h>
 
@@ -27,7 +28,10 @@ public:
 
   /** Computes the times, once. Returns what is wrong; empty: nothing. */
   std::string prepare();
+  /** What was given; tips, program and lines are taken out of it. */
   const PlaybackScene& scene() const { return scene_; }
+  /** A program that was judged, and not one that is made of a path. After prepare. */
+  bool playsProgram() const { return !time_.lines.empty(); }
   const PlaybackTime& time() const { return time_; }
 
   double seconds() const { return seconds_; }
@@ -55,6 +59,8 @@ public:
   std::string nextSlow();
   /** The next of the scene's warnings; its words. */
   std::string nextWarning();
+  /** To where an axis is at its smallest or largest value, one after the other: the value beside its limit. */
+  std::string nextExtreme();
 
   /** Moves of the path that are complete. */
   std::size_t moves() const { return movesAfter(time_, seconds_); }
@@ -88,7 +94,8 @@ private:
   double seconds_ = 0.0, speed_ = 1.0;
   bool playing_ = false, by_length_ = false;
   std::vector<std::size_t> slow_; ///< blocks
-  std::size_t next_slow_ = 0, next_warning_ = 0;
+  std::vector<AxisExtreme> extremes_;
+  std::size_t next_slow_ = 0, next_warning_ = 0, next_extreme_ = 0;
   std::atomic<bool> closing_{false}; ///< the stock is no longer wanted
   std::future<Stock> coming_;
   Stock stock_;

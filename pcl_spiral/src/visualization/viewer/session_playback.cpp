@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace pcl_spiral {
+namespace {
+
+constexpr double machine_room = 2.2; ///< of the width of the view of the part
+
+} // namespace
 
 void
 ViewerSession::setPlayback(PlaybackScene scene_of_playback)
@@ -64,6 +69,16 @@ ViewerSession::obeyPlayback(ViewerCommand command)
   case ViewerCommand::NextWarning:
     if (openPlayback())
       message = player->nextWarning();
+    return true;
+  case ViewerCommand::NextExtreme:
+    if (openPlayback())
+      message = player->nextExtreme();
+    return true;
+  case ViewerCommand::ShowMachine:
+    if (openPlayback()) {
+      playback->toggleMachine();
+      window.widen(playback->showsMachine() ? machine_room : 1.0 / machine_room);
+    }
     return true;
   case ViewerCommand::NextPoint:
   case ViewerCommand::LastPoint:

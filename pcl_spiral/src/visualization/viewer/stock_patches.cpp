@@ -12,76 +12,98 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace pcl_spiral {
 namespace {
 
 constexpr int patches_across = 8; ///< of the diagonal of the part
 
-using Cell = std::vector<std::uint32_t>;
+/** Triangles, or single places where there are none, in the cubes in which their first places are. */
+class CubeCells {
+public:
+  explicit CubeCells(const StockMesh& mesh) : mesh_(mesh), corners_(mesh.triangles.empty() ? 1 : 3)
+  {
+    const std::vector<std::uint32_t> cubes = cubeOfCells();
+    std::vector<std::uint32_t> next = begins_;
+    order_.resize(cubes.size());
+    for (std::uint32_t cell = 0; cell < cubes.size(); ++cell)
+      order_[next[cubes[cell]]++] = cell;
+  }
 
-/** The cells of each cube in which their first place is. */
-std::vector<std::vector<Cell>>
-cellsByCube(const StockMesh& mesh)
-{
-  Eigen::AlignedBox3f box;
-  for (const Eigen::Vector3f& place : mesh.places)
-    box.extend(place);
-  const float edge = std::max(box.diagonal().norm() / patches_across, 1e-3f);
-  std::map<std::array<int, 3>, std::vector<Cell>> cubes;
-  const auto add = [&](const Cell& cell) {
-    const Eigen::Array3i at = ((mesh.places[cell.front()] - box.min()) / edge).array().floor().cast<int>();
-    cubes[{at.x(), at.y(), at.z()}].push_back(cell);
-  };
-  for (const Triangulation::Triangle& triangle : mesh.triangles)
-    add({triangle.begin(), triangle.end()});
-  for (std::uint32_t i = 0; mesh.triangles.empty() && i < mesh.places.size(); ++i)
-    add({i});
-  std::vector<std::vector<Cell>> patches;
-  patches.reserve(cubes.size());
-  for (auto& [at, cells] : cubes)
-    patches.push_back(std::move(cells));
-  return patches;
-}
+  std::size_t cubes() const { return begins_.size() - 1; }
+  int corners() const { return corners_; }
+  std::size_t cellsOf(std::size_t cube) const { return begins_[cube + 1] - begins_[cube]; }
+  /** Corner \p i of cell \p k of \p cube. */
+  std::uint32_t corner(std::size_t cube, std::size_t k, int i) const { return place(order_[begins_[cube] + k], i); }
+
+private:
+  std::uint32_t place(std::uint32_t cell, int i) const { return corners_ == 1 ? cell : mesh_.triangles[cell][i]; }
+
+  /** The cube of each cell; begins_ becomes the begin of each cube. */
+  std::vector<std::uint32_t> cubeOfCells()
+  {
+    Eigen::AlignedBox3f box;
+    for (const Eigen::Vector3f& p : mesh_.places)
+      box.extend(p);
+    const float edge = std::max(box.diagonal().norm() / patches_across, 1e-3f);
+    std::map<std::array<int, 3>, std::uint32_t> numbers;
+    std::vector<std::uint32_t> cubes(corners_ == 1 ? mesh_.places.size() : mesh_.triangles.size());
+    begins_.assign(1, 0);
+    for (std::uint32_t cell = 0; cell < cubes.size(); ++cell) {
+      const Eigen::Array3i at = ((mesh_.places[place(cell, 0)] - box.min()) / edge).array().floor().cast<int>();
+      cubes[cell] = numbers.emplace(std::array<int, 3>{at.x(), at.y(), at.z()}, static_cast<std::uint32_t>(numbers.size())).first->second;
+      begins_.resize(numbers.size() + 1, 0);
+      ++begins_[cubes[cell] + 1];
+    }
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    return cubes;
+  }
+
+  const StockMesh& mesh_;
+  int corners_;
+  std::vector<std::uint32_t> begins_, order_; ///< cells of each cube, one cube after the other
+};
 
 } // namespace
 
 StockPatches::StockPatches(const StockMesh& mesh, const ValueStyle& style) : normals_(mesh.normals), style_(style)
 {
+  feet_.reserve(mesh.places.size());
   for (std::size_t i = 0; i < mesh.places.size(); ++i)
     feet_.push_back(mesh.places[i] - mesh.stock[i] * mesh.normals[i]);
   std::vector<std::vector<std::uint32_t>> places;
   std::vector<std::uint32_t> at(mesh.places.size(), Triangulation::none); // of each place in the patch that is made
-  for (const std::vector<Cell>& cells : cellsByCube(mesh)) {
+  const CubeCells cells(mesh);
+  for (std::size_t cube = 0; cube < cells.cubes(); ++cube) {
     places.emplace_back();
-    addPatch(cells, places.back(), at);
+    vtkNew<vtkCellArray> corners;
+    corners->Use32BitStorage();
+    for (std::size_t k = 0; k < cells.cellsOf(cube); ++k) {
+      corners->InsertNextCell(cells.corners());
+      for (int i = 0; i < cells.corners(); ++i) {
+        std::uint32_t& own = at[cells.corner(cube, k, i)];
+        if (own == Triangulation::none) {
+          own = static_cast<std::uint32_t>(places.back().size());
+          places.back().push_back(cells.corner(cube, k, i));
+        }
+        corners->InsertCellPoint(own);
+      }
+    }
+    addPatch(corners, cells.corners() > 1, places.back());
     for (const std::uint32_t place : places.back())
       at[place] = Triangulation::none;
   }
   linkCopies(places);
-  for (std::size_t i = 0; i < mesh.places.size(); ++i)
-    set(i, mesh.stock[i]);
-  finish();
 }
 
+/** A patch over the places \p own. */
 void
-StockPatches::addPatch(const std::vector<Cell>& cells, std::vector<std::uint32_t>& own, std::vector<std::uint32_t>& at)
+StockPatches::addPatch(vtkCellArray* cells, bool triangles, const std::vector<std::uint32_t>& own)
 {
-  vtkNew<vtkCellArray> corners;
-  std::vector<vtkIdType> ids;
-  for (const Cell& cell : cells) {
-    ids.clear();
-    for (const std::uint32_t place : cell) {
-      if (at[place] == Triangulation::none) {
-        at[place] = static_cast<std::uint32_t>(own.size());
-        own.push_back(place);
-      }
-      ids.push_back(at[place]);
-    }
-    corners->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-  }
   Patch patch;
   patch.data = vtkSmartPointer<vtkPolyData>::New();
   patch.places = vtkSmartPointer<vtkFloatArray>::New();
@@ -98,7 +120,7 @@ StockPatches::addPatch(const std::vector<Cell>& cells, std::vector<std::uint32_t
   vtkNew<vtkPoints> points;
   points->SetData(patch.places);
   patch.data->SetPoints(points);
-  cells.front().size() > 1 ? patch.data->SetPolys(corners) : patch.data->SetVerts(corners);
+  triangles ? patch.data->SetPolys(cells) : patch.data->SetVerts(cells);
   patch.data->GetPointData()->SetNormals(normals);
   patch.data->GetPointData()->SetScalars(patch.colors);
   patch.actor = surfaceActor(patch.data, surface_color);

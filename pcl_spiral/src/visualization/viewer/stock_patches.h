@@ -9,6 +9,7 @@
 #include <pcl_spiral/verify/stock_mesh.h>
 
 #include <vtkActor.h>
+#include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -23,6 +24,7 @@ namespace pcl_spiral {
 /** Triangles over the stock, raised by its height and in its colour. Points alone where the surface has no triangles. */
 class StockPatches {
 public:
+  /** Heights must be set before they are drawn. */
   StockPatches(const StockMesh& mesh, const ValueStyle& style);
 
   std::vector<vtkSmartPointer<vtkActor>> actors() const;
@@ -43,7 +45,7 @@ private:
   struct Copy {
     std::uint32_t patch, point;
   };
-  void addPatch(const std::vector<std::vector<std::uint32_t>>& cells, std::vector<std::uint32_t>& own, std::vector<std::uint32_t>& at);
+  void addPatch(vtkCellArray* cells, bool triangles, const std::vector<std::uint32_t>& own);
   void linkCopies(const std::vector<std::vector<std::uint32_t>>& places);
 
   std::vector<Eigen::Vector3f> feet_, normals_;

@@ -45,6 +45,8 @@ constexpr KeyLine playback_lines[] = {{"1 ... 5", "the other views"},
                                       {"g", "go to the deepest gouge"},
                                       {"e", "go to the next of the slowest blocks"},
                                       {"w", "go to the next warning with a place"},
+                                      {"x", "go to the next end of the way of an axis"},
+                                      {"m", "machine on, off: the part on its table"},
                                       {"drag", "rotate; with shift: move; wheel: zoom"},
                                       {"r  z", "show the whole part; look along z"},
                                       {"p", "save the view as PNG"},
@@ -76,6 +78,7 @@ commandOf(const std::string& key)
                                                        {"equal", Command::Faster},         {"KP_Add", Command::Faster},
                                                        {"KP_Subtract", Command::Slower},   {"b", Command::ByLength},
                                                        {"e", Command::NextSlow},           {"w", Command::NextWarning},
+                                                       {"x", Command::NextExtreme},        {"m", Command::ShowMachine},
                                                        {"shift Right", Command::NextTurn}, {"shift Left", Command::LastTurn}};
   const auto found = commands.find(key);
   return found == commands.end() ? std::nullopt : std::optional(found->second);

@@ -25,6 +25,8 @@ enum class ViewerCommand {
   ByLength,
   NextSlow,
   NextWarning,
+  NextExtreme,
+  ShowMachine,
   ToggleTurns,
   GoToDeviation,
   GoToScallop,

@@ -180,6 +180,14 @@ ViewerWindow::lookDown()
   readCamera();
 }
 
+void
+ViewerWindow::widen(double times)
+{
+  vtkCamera* const camera = view_->GetActiveCamera();
+  camera->SetParallelScale(times * camera->GetParallelScale());
+  readCamera();
+}
+
 Eigen::Vector3d
 ViewerWindow::placeAt(const Eigen::Vector2d& pixel) const
 {

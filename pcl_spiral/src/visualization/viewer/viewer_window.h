@@ -42,6 +42,8 @@ public:
   void lookAt(const Eigen::Vector3d& place, const Eigen::Vector3d& normal, double across);
   /** Shows the whole part along z, from above. */
   void lookDown();
+  /** Shows \p times as much to each side. */
+  void widen(double times);
   /** The place at \p pixel in the plane through the middle of the part that faces the viewer. */
   Eigen::Vector3d placeAt(const Eigen::Vector2d& pixel) const;
   /** A closed line over everything, pixels; empty: none. It stays until it is set again. */
