@@ -5,9 +5,11 @@
 #include "command_line/run_program.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <random>
 #include <sstream>
 
@@ -77,12 +79,40 @@ TEST(Program, TheTimeOnTheControlIsThatOfTheFirstProgram)
   expectHas(slow.out, " on LinuxCNC with usual accelerations: ");
   expectHas(slow.out, "would gain most a control that rounds corners of rotary moves");
   const std::string json = readText(folder.path("part.json"));
-  for (const char* name : {"\"motion\": {", "\"control\": \"LinuxCNC\"", "\"rotary\": ", "\"chord_error\""})
+  for (const nlohmann::json& gain : nlohmann::json::parse(json).at("motion").at("gains"))
+    EXPECT_NE(gain.at("change"), "chord_error") << "planned again although nobody asked";
+  for (const char* name : {"\"motion\": {", "\"control\": \"LinuxCNC\"", "\"rotary\": ", "\"rotary_blend\""})
     expectHas(json, name);
   const RunResult fast =
       run(folder, {"-o", "part.mpf", "--machine", machines + "/head_head.yaml", "--tool", "3", "--feed", "5000", "--smoothing", "0.02"});
   ASSERT_EQ(fast.code, 0) << fast.err;
   expectHas(fast.out, " on Siemens with usual accelerations: ");
+}
+
+TEST(Program, TheGainsOfOtherSettingsAreThoseOfRunsWithThem)
+{
+  const ScratchFolder folder;
+  const auto motionOf = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> call{"-o", "part.json", "-o", "part.ngc", "--machine", machines + "/xyzac.yaml", "--feed", "5000", "--quiet"};
+    call.insert(call.end(), more.begin(), more.end());
+    const RunResult done = run(folder, call);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return nlohmann::json::parse(readText(folder.path("part.json"))).at("motion");
+  };
+  const nlohmann::json study = motionOf({"--gains"});
+  const double now = study.at("seconds");
+  std::map<std::string, double> gains;
+  for (const nlohmann::json& gain : study.at("gains"))
+    gains[gain.at("change")] = gain.at("seconds");
+  ASSERT_EQ(gains.count("chord_error") + gains.count("axis_smoothing") + gains.count("longer_blocks"), 3U) << study;
+  const auto secondsWith = [&](const std::vector<std::string>& more) { return motionOf(more).at("seconds").get<double>(); };
+  EXPECT_NEAR(gains["chord_error"], now - secondsWith({"--chord-error", "0.01"}), 1e-6);
+  EXPECT_NEAR(gains["axis_smoothing"], now - secondsWith({"--axis-smoothing", "100"}), 1e-6);
+  EXPECT_NEAR(gains["longer_blocks"], now - secondsWith({"--thin-blocks", "0.005,0.14323944878270581"}), 1e-6);
+  EXPECT_NE(gains["longer_blocks"], 0.0);
+  const RunResult idle = run(folder, {"-o", "part.csv", "--gains"});
+  EXPECT_EQ(idle.code, 2);
+  expectHas(idle.err, "--gains: no output is a program");
 }
 
 TEST(Program, EveryLanguageAndExchangeFileIsWritten)

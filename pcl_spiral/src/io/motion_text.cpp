@@ -29,12 +29,16 @@ nameOf(MotionChange change)
     return "acceleration";
   case MotionChange::Tolerance:
     return "tolerance";
+  case MotionChange::RotaryBlend:
+    return "rotary_blend";
   case MotionChange::ChordError:
     return "chord_error";
-  case MotionChange::RotaryBlend:
+  case MotionChange::AxisSmoothing:
+    return "axis_smoothing";
+  case MotionChange::LongerBlocks:
     break;
   }
-  return "rotary_blend";
+  return "longer_blocks";
 }
 
 const char*
@@ -47,12 +51,16 @@ wordsOf(MotionChange change)
     return "twice the acceleration of every axis";
   case MotionChange::Tolerance:
     return "twice the tolerance of smoothing";
-  case MotionChange::ChordError:
-    return "longer blocks, within the tolerance of smoothing";
   case MotionChange::RotaryBlend:
+    return "a control that rounds corners of rotary moves";
+  case MotionChange::ChordError:
+    return "twice the chord error";
+  case MotionChange::AxisSmoothing:
+    return "smoother tool axes";
+  case MotionChange::LongerBlocks:
     break;
   }
-  return "a control that rounds corners of rotary moves";
+  return "longer blocks, within the chord error";
 }
 
 std::string

@@ -36,9 +36,10 @@ dynamicsOf(const Machine& machine)
 }
 
 std::vector<ControlMove>
-controlMoves(const MachineProgram& program, const ControlModel& control, const AxisDynamics& axes)
+controlMoves(const MachineProgram& program, const ControlModel& control, const AxisDynamics& axes, double feed)
 {
   std::vector<ControlMove> moves;
+  moves.reserve(program.blocks.size());
   const bool tips = program.machine.takesTips() && !control.plans_axes, tip_length = program.machine.takesTips();
   for (std::size_t i = 1; i < program.blocks.size(); ++i) {
     const ProgramBlock &from = program.blocks[i - 1], &to = program.blocks[i];
@@ -47,7 +48,7 @@ controlMoves(const MachineProgram& program, const ControlModel& control, const A
     const double length = linear > still ? linear : way.tail<2>().norm();
     if (!(length > still))
       continue;
-    const double asked = to.rapid ? std::numeric_limits<double>::infinity() : length / (60.0 * to.minutes);
+    const double asked = to.rapid ? std::numeric_limits<double>::infinity() : feed * length / (60.0 * to.minutes);
     ControlMove move = controlMove(way, length, asked, axes);
     move.rapid = to.rapid;
     move.turns = way.tail<2>().norm() > still;

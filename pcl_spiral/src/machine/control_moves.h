@@ -15,7 +15,8 @@ namespace pcl_spiral {
 /** With the usual accelerations of machine.h where \p machine has none. */
 AxisDynamics dynamicsOf(const Machine& machine);
 
-/** The moves of \p program that have a length. */
-std::vector<ControlMove> controlMoves(const MachineProgram& program, const ControlModel& control, const AxisDynamics& axes);
+/** The moves of \p program that have a length, at \p feed times its feeds. */
+std::vector<ControlMove> controlMoves(const MachineProgram& program, const ControlModel& control, const AxisDynamics& axes,
+                                      double feed = 1.0);
 
 } // namespace pcl_spiral

@@ -32,17 +32,22 @@ firstBadBlock(const MachineProgram& program)
 }
 
 MotionTime
-timeOf(const MachineProgram& program, const ControlModel& control, const AxisDynamics& axes, double tolerance)
+timeOf(const std::vector<ControlMove>& moves, std::size_t blocks, const ControlModel& control, const AxisDynamics& axes, double tolerance)
 {
   MotionTime time;
-  time.blocks.assign(program.blocks.size(), 0.0);
-  const std::vector<ControlMove> moves = controlMoves(program, control, axes);
+  time.blocks.assign(blocks, 0.0);
   const std::vector<double> ends = MotionTimer(control, axes, tolerance).ends(moves);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     time.blocks[moves[i].block] = ends[i] - time.seconds;
     time.seconds = ends[i];
   }
   return time;
+}
+
+MotionTime
+timeOf(const MachineProgram& program, const ControlModel& control, const AxisDynamics& axes, double tolerance)
+{
+  return timeOf(controlMoves(program, control, axes), program.blocks.size(), control, axes, tolerance);
 }
 
 AxisDynamics
@@ -55,10 +60,10 @@ dynamicsFor(const MachineProgram& program, const ControlModel& control)
 }
 
 double
-secondsAtFeed(const MachineProgram& program, const ControlModel& control, const AxisDynamics& axes)
+secondsAtFeed(const std::vector<ControlMove>& moves)
 {
   double seconds = 0.0;
-  for (const ControlMove& move : controlMoves(program, control, axes))
+  for (const ControlMove& move : moves)
     seconds += move.length / move.speed;
   return seconds;
 }
@@ -72,21 +77,22 @@ withRoundedTurns(ControlModel control)
   return control;
 }
 
+/** \p moves: of the program. */
 MotionLosses
-lossesOf(const MachineProgram& program, const MotionStudy& study, const AxisDynamics& axes)
+lossesOf(const std::vector<ControlMove>& moves, const MotionStudy& study, const AxisDynamics& axes)
 {
-  const auto with = [&](const ControlModel& control) { return timeOf(program, control, axes, study.tolerance).seconds; };
+  const std::size_t blocks = study.time.blocks.size();
+  const auto with = [&](const ControlModel& control) { return timeOf(moves, blocks, control, axes, study.tolerance).seconds; };
   MotionLosses losses;
-  const std::vector<ControlMove> moves = controlMoves(program, study.control, axes);
   const bool turns = std::any_of(moves.begin(), moves.end(), [](const ControlMove& move) { return move.turns; });
   ControlModel control = turns ? withRoundedTurns(study.control) : study.control;
   const double rounded = with(control);
-  control.look_ahead = program.blocks.size() * 2;
+  control.look_ahead = blocks * 2;
   control.least_cycles = 0.0;
   const double seen = with(control);
   control.corner = control.rotary_corner = CornerRule::Free;
   const double straight = with(control);
-  losses.at_feed = secondsAtFeed(program, study.control, axes);
+  losses.at_feed = secondsAtFeed(moves);
   losses.ramps = straight - losses.at_feed;
   losses.corners = seen - straight;
   losses.short_blocks = rounded - seen;
@@ -95,20 +101,18 @@ lossesOf(const MachineProgram& program, const MotionStudy& study, const AxisDyna
 }
 
 void
-addGains(const MachineProgram& program, const AxisDynamics& axes, MotionStudy& study)
+addModelGains(const MachineProgram& program, const std::vector<ControlMove>& moves, const AxisDynamics& axes, MotionStudy& study)
 {
-  const auto add = [&](MotionChange change, double seconds) { study.gains.push_back({change, study.time.seconds - seconds}); };
-  MachineProgram faster = program;
-  for (ProgramBlock& block : faster.blocks)
-    block.minutes /= feed_step;
-  add(MotionChange::Feed, timeOf(faster, study.control, axes, study.tolerance).seconds);
+  const std::size_t blocks = program.blocks.size();
+  const std::vector<ControlMove> faster = controlMoves(program, study.control, axes, feed_step);
+  addGain(MotionChange::Feed, timeOf(faster, blocks, study.control, axes, study.tolerance).seconds, study);
   AxisDynamics stronger = axes;
   stronger.acceleration *= acceleration_step;
-  add(MotionChange::Acceleration, timeOf(program, study.control, stronger, study.tolerance).seconds);
+  addGain(MotionChange::Acceleration, timeOf(program, study.control, stronger, study.tolerance).seconds, study);
   if (study.tolerance > 0.0)
-    add(MotionChange::Tolerance, timeOf(program, study.control, axes, tolerance_step * study.tolerance).seconds);
+    addGain(MotionChange::Tolerance, timeOf(moves, blocks, study.control, axes, tolerance_step * study.tolerance).seconds, study);
   if (study.losses.rotary > 0.0)
-    add(MotionChange::RotaryBlend, study.time.seconds - study.losses.rotary);
+    addGain(MotionChange::RotaryBlend, study.time.seconds - study.losses.rotary, study);
 }
 
 bool
@@ -141,9 +145,10 @@ motionTime(const MachineProgram& program, const ControlModel& control, std::opti
 }
 
 void
-sortGains(std::vector<MotionGain>& gains)
+addGain(MotionChange change, double seconds, MotionStudy& study)
 {
-  std::stable_sort(gains.begin(), gains.end(), [](const MotionGain& a, const MotionGain& b) { return a.seconds > b.seconds; });
+  study.gains.push_back({change, study.time.seconds - seconds});
+  std::stable_sort(study.gains.begin(), study.gains.end(), [](const MotionGain& a, const MotionGain& b) { return a.seconds > b.seconds; });
 }
 
 MotionStudy
@@ -160,10 +165,10 @@ studyMotion(const MachineProgram& program, const ControlModel& control, std::opt
     return study;
   }
   const AxisDynamics axes = dynamicsFor(program, control);
-  study.time = timeOf(program, control, axes, study.tolerance);
-  study.losses = lossesOf(program, study, axes);
-  addGains(program, axes, study);
-  sortGains(study.gains);
+  const std::vector<ControlMove> moves = controlMoves(program, control, axes);
+  study.time = timeOf(moves, program.blocks.size(), control, axes, study.tolerance);
+  study.losses = lossesOf(moves, study, axes);
+  addModelGains(program, moves, axes, study);
   study.status = Status::success();
   return study;
 }

@@ -7,6 +7,8 @@ using namespace pcl_spiral;
 
 namespace {
 
+constexpr double usual_smoothing = 20.0; ///< mm: tried where axes are not smoothed
+
 ProgramPlanner
 plannerOf(const PassJob& job, const PassResult& result)
 {
@@ -25,10 +27,22 @@ addProgram(const PassJob& job, const Machine& machine, PassResult& result)
 {
   ProgramPlanner planner = plannerOf(job, result);
   result.program = plannedProgram(job.program, machine, job.part, job.quiet, planner, result.warnings);
-  result.motion = studiedMotion(job.program, job.outputs, job.tolerance, planner, *result.program);
+  result.motion = studiedMotion(job.program, job.outputs, job.tolerance, *result.program);
   if (job.cutter.radius > 0.0)
     for (const Diagnostic& warning : spindleWarnings(job.program, machine, job.outputs))
       result.warnings.push_back(warning);
+}
+
+bool
+changeFor(MotionChange change, const Machine& machine, PassJob& job)
+{
+  if (change == MotionChange::ChordError)
+    job.tolerance *= 2.0;
+  else if (change == MotionChange::LongerBlocks)
+    leaveOutBlocks(job.tolerance, job.program.settings);
+  else
+    job.axis_smoothing = job.axis_smoothing > 0.0 ? 2.0 * job.axis_smoothing : usual_smoothing;
+  return change != MotionChange::AxisSmoothing || !machine.three_axes;
 }
 
 void

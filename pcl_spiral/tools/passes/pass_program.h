@@ -13,6 +13,9 @@
  *  \throw pcl_spiral::FileError, Cancelled */
 void addProgram(const PassJob& job, const pcl_spiral::Machine& machine, PassResult& result);
 
+/** Changes \p job to what \p change asks of the path or the program, to plan it again. Returns whether it changes anything. */
+bool changeFor(pcl_spiral::MotionChange change, const pcl_spiral::Machine& machine, PassJob& job);
+
 /** Adds leads to the passes for CLDATA and robot frames. They do not touch the scan, either; if there is a program, its own leads have been
  *  checked. \throw pcl_spiral::FileError, Cancelled */
 void addMoves(const PassJob& job, PassResult& result);

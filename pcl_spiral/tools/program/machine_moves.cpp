@@ -110,12 +110,19 @@ writeProgramFile(const ProgramJob& job, const MachineProgram& program, const Pro
 }
 
 MotionStudy
-studiedMotion(const ProgramJob& job, const std::vector<std::string>& outputs, double chord_error, const ProgramPlanner& planner,
-              const MachineProgram& program)
+studiedMotion(const ProgramJob& job, const std::vector<std::string>& outputs, double chord_error, const MachineProgram& program)
 {
   const auto first = std::find_if(outputs.begin(), outputs.end(), isProgram);
   const Dialect dialect = first == outputs.end() ? job.dialect : languageOf(job, *first);
-  return studyProgram(planner, program, entryOf(dialect).control, job.smoothing.value_or(chord_error));
+  return studyMotion(program, controlModel(entryOf(dialect).control, program.machine), job.smoothing.value_or(chord_error));
+}
+
+void
+leaveOutBlocks(double tolerance, ProgramSettings& settings)
+{
+  constexpr double axis_per_tip = 0.5; // radians a mm, as in BlockTolerance
+  settings.thinning.tip = std::max(settings.thinning.tip, tolerance);
+  settings.thinning.axis = std::max(settings.thinning.axis, axis_per_tip * tolerance);
 }
 
 void

@@ -8,8 +8,8 @@
 
 #include "io/post/plan_program.h"
 
+#include <pcl_spiral/machine/motion_time.h>
 #include <pcl_spiral/planning/program_planner.h>
-#include <pcl_spiral/planning/program_time.h>
 
 #include <optional>
 #include <string>
@@ -39,9 +39,12 @@ pcl_spiral::Diagnostics spindleWarnings(const ProgramJob& job, const pcl_spiral:
 void writeProgramFile(const ProgramJob& job, const pcl_spiral::MachineProgram& program, const pcl_spiral::ProgramTexts& texts,
                       const std::string& output, const std::string& file);
 
-/** The time of \p program, made by \p planner, on the control of the first program of \p outputs. \p chord_error: of the path, mm. */
+/** The time of \p program on the control of the first program of \p outputs. \p chord_error: of the path, mm. */
 pcl_spiral::MotionStudy studiedMotion(const ProgramJob& job, const std::vector<std::string>& outputs, double chord_error,
-                                      const pcl_spiral::ProgramPlanner& planner, const pcl_spiral::MachineProgram& program);
+                                      const pcl_spiral::MachineProgram& program);
+
+/** Leaves out blocks within \p tolerance mm, at least. */
+void leaveOutBlocks(double tolerance, pcl_spiral::ProgramSettings& settings);
 
 /** Prints a summary of the program and its time. */
 void printProgram(const pcl_spiral::MachineProgram& program, const pcl_spiral::MotionStudy& motion);

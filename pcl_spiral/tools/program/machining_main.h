@@ -12,6 +12,8 @@
 #include "terminal/program_main.h"
 #include "terminal/vocabulary.h"
 
+#include <pcl_spiral/io/file_error.h>
+#include <pcl_spiral/io/motion_text.h>
 #include <pcl_spiral/io/output_files.h>
 
 #include <pcl/console/print.h>
@@ -21,8 +23,32 @@
 #include <optional>
 #include <string>
 
-/** Turns a job into files with the program's own filesOf, plan, addProgram, addMoves, judge, warningsOf, writeOutputs and printSummary,
- *  found by the type of its job. */
+/** Plans \p job again with each change that needs another program, with the program's own changeFor, and adds what it gains to the
+ *  \p result. A change that gives no program gains nothing that is known. \throw Cancelled */
+template <typename Job, typename Result>
+void
+addPlannedGains(const std::string& name, const Job& job, const pcl_spiral::Machine& machine, Result& result)
+{
+  using pcl_spiral::MotionChange;
+  for (const MotionChange change : {MotionChange::ChordError, MotionChange::AxisSmoothing, MotionChange::LongerBlocks}) {
+    Job changed = job;
+    if (!changeFor(change, machine, changed))
+      continue;
+    try {
+      Result again = change == MotionChange::LongerBlocks ? result : plan(changed);
+      addProgram(changed, machine, again);
+      if (again.motion->status.ok())
+        addGain(change, again.motion->time.seconds, *result.motion);
+    }
+    catch (const pcl_spiral::FileError& error) {
+      if (!job.quiet)
+        std::cerr << name << ": warning: what " << wordsOf(change) << " would gain is not known: " << error.what() << '\n';
+    }
+  }
+}
+
+/** Turns a job into files with the program's own filesOf, plan, addProgram, changeFor, addMoves, judge, warningsOf, writeOutputs and
+ *  printSummary, found by the type of its job. */
 template <typename Job>
 void
 runMachining(const std::string& name, const Job& job)
@@ -37,6 +63,8 @@ runMachining(const std::string& name, const Job& job)
   auto result = plan(job);
   if (machine)
     addProgram(job, *machine, result);
+  if (machine && job.program.gains && result.motion->status.ok())
+    addPlannedGains(name, job, *machine, result);
   if (hasExchange(job.outputs))
     addMoves(job, result);
   judge(job, result);

@@ -100,7 +100,8 @@ checkProgram(const ProgramJob& program, const std::vector<std::string>& outputs,
   }
   AskedNames asked = askedNames(given);
   if (!program.machine_file.empty())
-    asked.erase("stay_down"); // the machine's picture shows links
+    for (const char* shown : {"stay_down", "gains"}) // by the machine's picture and time
+      asked.erase(shown);
   requireUsed(idleOfProgram(asked, outputs, program.dialect));
   requireOption(s.block.tip >= BlockTolerance::least_tip, "block-tolerance", s.block.tip, "must be 0.0001 mm or more");
   requireOption(s.block.axis >= BlockTolerance::least_axis, "block-tolerance", s.block.axis * in_degrees,

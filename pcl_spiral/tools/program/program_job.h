@@ -18,5 +18,6 @@ struct ProgramJob {
   pcl_spiral::ProgramHeader header;                            ///< title, notes and smoothing come from the path
   std::optional<double> smoothing;                             ///< mm; none: the chord error
   pcl_spiral::RobotZ robot_z = pcl_spiral::RobotZ::Axis;       ///< of .yaml
+  bool gains = false;                                          ///< plan again to tell what other settings would gain
   bool accept_collisions = false;                              ///< of shank and holder, and of the tool on its leads
 };

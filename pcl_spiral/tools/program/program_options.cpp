@@ -40,6 +40,11 @@ programOptions(ProgramJob& program)
        switchOption("accept-collisions",
                     "write the output even if the tool would touch the scan on its way to the path, or its shank or holder on the path",
                     program.accept_collisions),
+       switchOption(
+           "gains",
+           "plan again to tell what twice the chord error, smoother tool axes and longer blocks would gain; takes up to three times "
+           "as long",
+           program.gains),
        tolerance("block-tolerance",
                  "largest distance of machine moves from the path, tip and axis; default 0.002,0.06: --block-tolerance 0.005,0.1",
                  settings.block),

@@ -2,6 +2,8 @@
 #include "path_program.h"
 #include "program/machine_moves.h"
 
+#include <algorithm>
+
 using namespace pcl_spiral;
 
 namespace {
@@ -26,10 +28,22 @@ addProgram(const Job& job, const Machine& machine, Result& result)
     warnings.push_back(warning);
   ProgramPlanner planner = plannerOf(job, result.plan);
   result.program = plannedProgram(job.program, machine, job.scan, job.quiet, planner, warnings);
-  result.motion = studiedMotion(job.program, job.outputs, job.settings.chord_error, planner, *result.program);
+  result.motion = studiedMotion(job.program, job.outputs, job.settings.chord_error, *result.program);
   if (!result.plan.regions.empty())
     result.links = linksOf(*result.program);
   clock.end("machine");
+}
+
+bool
+changeFor(MotionChange change, const Machine& machine, Job& job)
+{
+  if (change == MotionChange::ChordError)
+    job.settings.chord_error *= 2.0;
+  else if (change == MotionChange::LongerBlocks)
+    leaveOutBlocks(job.settings.chord_error, job.program.settings);
+  else
+    job.settings.axis_smoothing = std::max(2.0 * job.settings.axis_smoothing, SpiralSettings().axis_smoothing);
+  return change != MotionChange::AxisSmoothing || !(machine.three_axes || job.settings.fixed_axis);
 }
 
 void

@@ -10,7 +10,7 @@
 
 namespace pcl_spiral {
 
-/** What a change is called in JSON: feed, acceleration, tolerance, chord_error, rotary_blend. */
+/** What a change is called in JSON: feed, acceleration, tolerance, rotary_blend, chord_error, axis_smoothing, longer_blocks. */
 const char* nameOf(MotionChange change);
 
 /** What the change does, such as "feed 1.5 times as high". */

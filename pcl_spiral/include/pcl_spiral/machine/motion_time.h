@@ -44,11 +44,13 @@ struct MotionLosses {
 
 /** What a change would bring. */
 enum class MotionChange {
-  Feed,         ///< half as much again
-  Acceleration, ///< of every axis, twice
-  Tolerance,    ///< at corners, twice
-  ChordError,   ///< blocks left out within the tolerance at corners (ProgramSettings::thinning); asked for where the program is made
-  RotaryBlend   ///< a control that rounds corners of rotary moves, too
+  Feed,          ///< half as much again
+  Acceleration,  ///< of every axis, twice
+  Tolerance,     ///< at corners, twice
+  RotaryBlend,   ///< a control that rounds corners of rotary moves, too
+  ChordError,    ///< of the path, twice
+  AxisSmoothing, ///< of the tool axes, over a longer way
+  LongerBlocks   ///< blocks left out within the chord error (ProgramSettings::thinning)
 };
 
 /** Its time. */
@@ -68,10 +70,11 @@ struct MotionStudy {
   std::vector<MotionGain> gains; ///< the largest first
 };
 
-/** The largest first. */
-void sortGains(std::vector<MotionGain>& gains);
+/** Adds to \p study what \p change gains, whose program takes \p seconds. */
+void addGain(MotionChange change, double seconds, MotionStudy& study);
 
-/** Runs the model as often as losses and gains need. */
+/** Runs the model as often as losses and gains need. The gains of the last three changes are not among them: they need another
+ *  program. Plan again, and add them by addGain. */
 MotionStudy studyMotion(const MachineProgram& program, const ControlModel& control, std::optional<double> tolerance = {});
 
 } // namespace pcl_spiral

@@ -74,6 +74,7 @@ idleOfProgram(const AskedNames& asked, const std::vector<std::string>& outputs, 
   rules.require(any_frames, {"robot_z"}, ": no output has robot frames; add an output .yaml, or leave it out");
   rules.require(any_program, {"stay_down"},
                 ": no output is a program, and only programs have links; add an output .ngc, .nc, .mpf or .h, or leave it out");
+  rules.require(any_program, {"gains"}, ": no output is a program, whose time could be less; write one such as part.ngc, or leave it out");
   rules.require(any_program, {"feed_mode", "work_offset", "smoothing", "line_numbers", "decimals"},
                 ": no output is a program; write one such as part.ngc, or leave it out");
   rules.require(any_program || any_cldata, {"coolant", "spindle", "spindle_direction", "tool"},
