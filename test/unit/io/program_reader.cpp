@@ -200,6 +200,39 @@ TEST(ProgramReader, ModalWordsAndCommentsAreFollowed)
   EXPECT_NEAR(read.program.blocks[6].minutes, 1.0 / 60.0, 1e-12);
 }
 
+/** The minutes of the last move of \p text. */
+double
+lastMinutes(const std::string& text, const Machine& machine, const std::string& name)
+{
+  return programOf(text, machine, name).program.blocks.back().minutes;
+}
+
+TEST(ProgramReader, FeedsOfRotaryAxesAreThoseOfTheManuals)
+{
+  Machine tips = testMachines()[0], axes = tips; // C and A
+  axes.rtcp = false;
+  const std::string start = "G43 H1\nG0 X0 Y0 Z50 A0 C0\nG1 ", end = "\nM2\n", inch = "G20 G90 G94\n", mm = "G21 G90 G94\n";
+  const double turn = std::hypot(30.0, 40.0);
+  for (const Machine& machine : {tips, axes}) {
+    EXPECT_NEAR(lastMinutes(mm + start + "A30 C40 F300" + end, machine, "a.ngc"), turn / 300.0, 1e-9) << "no X Y Z: degrees/min";
+    EXPECT_NEAR(lastMinutes(inch + start + "A30 C40 F300" + end, machine, "a.ngc"), turn / 300.0, 1e-9) << "of inches, too";
+    EXPECT_NEAR(lastMinutes(mm + start + "X20 C40 F300" + end, machine, "a.ngc"), 20.0 / 300.0, 1e-9) << "X Y Z alone count";
+    EXPECT_NEAR(lastMinutes(inch + start + "X20 C40 F300" + end, machine, "a.ngc"), 20.0 / 300.0, 1e-9);
+  }
+  const std::string fanuc = "%\nO0001\n", last = "\nM30\n%\n", with_tips = "G43.4 H1\nG0 X0 Y0 Z50 A0 C0\nG1 ";
+  EXPECT_NEAR(lastMinutes(fanuc + mm + start + "X20 C40 F300" + last, axes, "a.nc"), 0.14907, 1e-5) << "the example of B-63174EN, 4.2";
+  EXPECT_NEAR(lastMinutes(fanuc + mm + start + "C40 F300" + last, axes, "a.nc"), 40.0 / 300.0, 1e-9);
+  EXPECT_NEAR(lastMinutes(fanuc + mm + with_tips + "X20 C40 F300" + last, tips, "a.nc"), 20.0 / 300.0, 1e-9) << "of the tip";
+  const auto klartext = [](const std::string& unit, const std::string& move) {
+    return "0 BEGIN PGM A " + unit + "\n1 TOOL CALL 3 Z S1000\n2 M128\n3 L X+0 Y+0 Z+50 A+0 C+0 FMAX M3\n4 L " + move +
+           "\n5 M30\n6 END PGM A " + unit + "\n";
+  };
+  for (const char* unit : {"MM", "INCH"})
+    EXPECT_NEAR(lastMinutes(klartext(unit, "A+30 C+40 F300"), tips, "a.h"), turn / 300.0, 1e-9) << unit;
+  EXPECT_NEAR(lastMinutes(klartext("MM", "X+20 C+40 F300"), tips, "a.h"), 20.0 / 300.0, 1e-9);
+  EXPECT_NEAR(lastMinutes(klartext("INCH", "X+20 C+40 F300"), tips, "a.h"), 20.0 / 30.0, 1e-9) << "F in tenths of an inch";
+}
+
 TEST(ProgramReader, WhatIsNotUnderstoodIsRefusedWithLineAndWord)
 {
   EXPECT_EQ(refusal(around("G1 X1 F100")), "");

@@ -125,12 +125,12 @@ ProgramTrack::move(std::size_t line, const ProgramTarget& target)
 }
 
 double
-ProgramTrack::fedWay(const ProgramBlock& block) const
+ProgramTrack::fedWay(const ProgramBlock& block, const ProgramTarget& target) const
 {
   const ProgramBlock& before = file_.program.blocks.back();
   const double way = kinematics_.machine().rtcp ? (block.tip - before.tip).norm() : (block.machine - before.machine).norm();
-  const double turn = std::hypot(block.angles.first - before.angles.first, block.angles.second - before.angles.second);
-  return way > 0.0 ? way : turn * in_degrees;
+  const double turn = in_degrees * std::hypot(block.angles.first - before.angles.first, block.angles.second - before.angles.second);
+  return way > 0.0 ? std::hypot(way / target.unit, target.counts_degrees ? turn : 0.0) : turn;
 }
 
 void
@@ -149,7 +149,7 @@ ProgramTrack::add(std::size_t line, const ProgramTarget& target)
   const double way = blocks.empty() ? 0.0 : (block.tip - blocks.back().tip).norm();
   block.arc_length = blocks.empty() ? 0.0 : blocks.back().arc_length + way;
   if (!target.rapid)
-    block.minutes = target.inverse_time ? 1.0 / target.feed : fedWay(block) / target.feed;
+    block.minutes = target.inverse_time ? 1.0 / target.feed : fedWay(block, target) / target.feed;
   blocks.push_back(block);
   file_.lines.push_back(line);
 }

@@ -21,9 +21,11 @@ struct ProgramTarget {
   bool of_machine = false;                     ///< xyz is that of the gauge point in machine coordinates
   bool of_tip = false;                         ///< xyz is that of the tip; false: as programmed without RTCP
   bool rapid = false;
-  bool link = false;         ///< between two passes, off the surface
-  bool inverse_time = false; ///< the feed is 1 / minutes; false: mm/min, or degrees/min where X Y Z stand
-  double feed = 0.0;
+  bool link = false;           ///< between two passes, off the surface
+  bool inverse_time = false;   ///< the feed is 1 / minutes; false: X Y Z a minute, or degrees a minute where they stand
+  double feed = 0.0;           ///< as written
+  double unit = 1.0;           ///< of X Y Z in the feed, mm
+  bool counts_degrees = false; ///< where X Y Z move, a degree of a rotary axis counts as one unit of them
   bool names() const { return xyz[0] || xyz[1] || xyz[2] || angles[0] || angles[1] || axis; }
 };
 
@@ -44,8 +46,9 @@ private:
   Diagnostic turnTo(const Eigen::Vector3d& axis);
   void goTo(const ProgramTarget& target);
   void placeMachine();
-  /** The way that a feed a minute counts: of X Y Z, mm, or, where they stand, of the rotary axes, degrees (NIST RS274, 2.1.2.5). */
-  double fedWay(const ProgramBlock& block) const;
+  /** The way that a feed a minute counts: of X Y Z, or, where they stand, of the rotary axes, degrees. doc/machining_time.md has the
+   *  sources. */
+  double fedWay(const ProgramBlock& block, const ProgramTarget& target) const;
   void add(std::size_t line, const ProgramTarget& target);
 
   Kinematics kinematics_;

@@ -119,7 +119,8 @@ private:
     if (name == "G" || name == "M" || name == "CYCLE" || !word.value)
       return;
     if (name == "F") {
-      feed_ = *word.value * (modes_.inverse_time ? 1.0 : modes_.unit);
+      feed_ = *word.value;
+      feed_unit_ = modes_.unit;
       fed_ = lines_.number();
       return;
     }
@@ -209,6 +210,8 @@ private:
     requireGuided(target);
     target.inverse_time = modes_.inverse_time;
     target.feed = modes_.inverse_time && fed_ != lines_.number() ? 0.0 : feed_;
+    target.unit = feed_unit_;
+    target.counts_degrees = (dialect_ == Dialect::Fanuc || dialect_ == Dialect::FanucVectors) && !modes_.guides_tip;
     if (!target.rapid && !modes_.spindle && still_line_ == 0)
       still_line_ = lines_.number();
     if (const Diagnostic fault = track_.move(lines_.number(), target); !fault.empty())
@@ -221,7 +224,7 @@ private:
   ProgramTrack track_;
   GCodeModes modes_;
   std::array<const char*, 3> names_; ///< words of the tool axis
-  double feed_ = 0.0;
+  double feed_ = 0.0, feed_unit_ = 1.0;
   std::size_t fed_ = 0;        ///< line of the last F
   std::size_t still_line_ = 0; ///< of the first feed move with the spindle off
   std::optional<double> tolerance_;

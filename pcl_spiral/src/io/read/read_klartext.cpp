@@ -104,6 +104,9 @@ private:
       lines_.fail(word, "other coordinates, or a call; write straight moves of the tip with M128");
   }
 
+  /** Of F, mm: in inch programs it is in tenths of an inch a minute (iTNC 530, 60642x-03, M116). */
+  double feedUnit() const { return unit_ > 1.0 ? 0.1 * unit_ : unit_; }
+
   void takeMove()
   {
     of_machine_ = false;
@@ -127,6 +130,7 @@ private:
           "made, or set rtcp: true");
     target.link = lines_.inLink();
     target.feed = feed_;
+    target.unit = feedUnit();
     if (!target.rapid && !spindle_ && still_line_ == 0)
       still_line_ = lines_.number();
     if (const Diagnostic fault = track_.move(lines_.number(), target); !fault.empty())
@@ -147,7 +151,7 @@ private:
     if (!word.value)
       lines_.fail(word, "not a word that is understood; leave it out if it does not move the tool");
     if (name == "F") {
-      feed_ = *word.value * unit_;
+      feed_ = *word.value;
       return;
     }
     for (int i = 0; i < 3; ++i) {
