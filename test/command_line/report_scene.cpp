@@ -32,24 +32,25 @@ browser()
   return {};
 }
 
-/** A run of Chromium on a page of \p folder: the page after its scripts have run. No name of a host leads anywhere. */
+/** A run of Chromium with \p more options on a page of \p folder: the page after its scripts have run. No name of a host leads anywhere. */
 RunResult
-shown(const std::string& page, const ScratchFolder& folder)
+shown(const std::string& page, const ScratchFolder& folder, const Arguments& more = {})
 {
-  const Arguments call{"120",
-                       browser(),
-                       "--headless",
-                       "--no-sandbox",
-                       "--user-data-dir=" + folder.path("chromium"),
-                       "--use-gl=angle",
-                       "--use-angle=swiftshader",
-                       "--enable-unsafe-swiftshader",
-                       "--host-resolver-rules=MAP * ~NOTFOUND",
-                       "--enable-logging=stderr",
-                       "--window-size=500,500",
-                       "--virtual-time-budget=60000",
-                       "--dump-dom",
-                       "file://" + folder.path(page)};
+  Arguments call{"120",
+                 browser(),
+                 "--headless",
+                 "--no-sandbox",
+                 "--user-data-dir=" + folder.path("chromium"),
+                 "--use-gl=angle",
+                 "--use-angle=swiftshader",
+                 "--enable-unsafe-swiftshader",
+                 "--host-resolver-rules=MAP * ~NOTFOUND",
+                 "--enable-logging=stderr",
+                 "--window-size=500,500",
+                 "--virtual-time-budget=60000",
+                 "--dump-dom",
+                 "file://" + folder.path(page)};
+  call.insert(call.end() - 1, more.begin(), more.end());
   return endOf(startProgram("/usr/bin/timeout", call, folder), folder);
 }
 
@@ -194,6 +195,23 @@ TEST_F(ReportScene, OfASpiralPlaysItsProgramAndItsVerificationTheProgramAgain)
   const std::string read = judged["figures"][1];
   for (const char* words : {"Line ", "Feed of the tip ", "C ", "A "})
     EXPECT_NE(read.find(words), std::string::npos) << words << " in " << read;
+}
+
+TEST_F(ReportScene, WithoutWebGLThePageSaysSoAndShowsThePictures)
+{
+  writeText(folder_.path("cap.xyz"), capScan(3000));
+  run(PCL_SPIRAL_TOOLPATH_PROGRAM, {"cap.xyz", "--tool-radius", "3", "--scallop", "0.1", "-o", "a.html", "-o", "a.csv"});
+  std::string html = readText(folder_.path("a.html"));
+  html.insert(html.find("</body>"), "<script>onload = () => { const found = document.createElement('pre'), images = [...document.images];"
+                                    "found.id = 'found'; found.textContent = document.querySelector('#scene .message').innerText + '|' +"
+                                    "images.filter(one => one.naturalWidth > 100 && one.clientWidth > 100).length + '|' + "
+                                    "document.querySelector('#scene canvas').clientHeight; document.body.append(found); }</script>");
+  writeText(folder_.path("copy.html"), html);
+  const RunResult result = shown("copy.html", folder_, {"--disable-3d-apis"});
+  const std::string found = textOf("found", result.out);
+  EXPECT_EQ(found.find("This browser shows no 3-D (WebGL); the pictures below show the same part.|"), 0U) << found;
+  EXPECT_EQ(found.substr(found.rfind('|')), "|0") << "an empty canvas";
+  EXPECT_GT(std::atoi(found.substr(found.find('|') + 1).c_str()), 0) << found;
 }
 
 TEST_F(ReportScene, OfAMeshShowsItsFaces)

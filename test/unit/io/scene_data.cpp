@@ -3,6 +3,7 @@
 #include "io/report/packed_array.h"
 #include "io/report/scene_builder.h"
 #include "io/report/scene_frames.h"
+#include "io/report/scene_html.h"
 #include "io/report/scene_json.h"
 #include "io/report/scene_part.h"
 #include <pcl_spiral/machine/machine_program_generator.h>
@@ -16,13 +17,19 @@
 
 #include <Eigen/Geometry>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <random>
+#include <sstream>
+#include <string>
 
 namespace scene_data_test {
 
@@ -89,6 +96,29 @@ spiral(int count)
 }
 
 } // namespace
+
+TEST(SceneData, WithoutThreeJsAPageSaysWhyThereIsNo3D)
+{
+  ReportScene scene;
+  scene.part = wave(3);
+  scene.frames = spiral(8);
+  const std::string file = (std::filesystem::temp_directory_path() / ("scene_data_" + std::to_string(::getpid()) + ".html")).string();
+  const auto textWith = [&](const char* three) {
+    HtmlPage page("title", "subtitle");
+    addScene(&scene, page, three);
+    page.write(file, ReportPage{"title", "made by a test", ""});
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    std::filesystem::remove(file);
+    return text.str();
+  };
+  const std::string without = textWith(""), with = textWith("var THREE = {};");
+  EXPECT_NE(without.find("pictures alone: the program was built without three.js"), std::string::npos);
+  EXPECT_EQ(without.find("<canvas"), std::string::npos);
+  EXPECT_EQ(without.find("scene-data"), std::string::npos);
+  EXPECT_EQ(with.find("pictures alone"), std::string::npos);
+  EXPECT_NE(with.find("<canvas"), std::string::npos);
+}
 
 TEST(SceneData, NumbersComeBackWithinHalfAStep)
 {

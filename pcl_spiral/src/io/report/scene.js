@@ -498,18 +498,22 @@ function listenToPointers() {
 }
 
 // ---- All of it
-function hasWebGL() {
+/** Whether the browser draws in 3-D. */
+function makeRenderer() {
   const probe = document.createElement("canvas");
-  return Boolean(probe.getContext("webgl") || probe.getContext("experimental-webgl"));
+  try {
+    if (probe.getContext("webgl") || probe.getContext("experimental-webgl"))
+      renderer = new THREE.WebGLRenderer({canvas, antialias: true});
+  } catch (error) {} // it says so below
+  return Boolean(renderer);
 }
 
 function start() {
-  if (!hasWebGL()) {
+  if (!makeRenderer()) {
     find(".message").textContent = "This browser shows no 3-D (WebGL); the pictures below show the same part.";
     return;
   }
   section.classList.add("ready");
-  renderer = new THREE.WebGLRenderer({canvas, antialias: true});
   renderer.setClearColor("#f7f8fa");
   world = new THREE.Scene();
   camera = new THREE.PerspectiveCamera(32, 1, 0.1, 1000);

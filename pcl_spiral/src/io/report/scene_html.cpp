@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_html.h"
 
-#include "embedded_texts.h"
 #include "scene_json.h"
 
 namespace pcl_spiral {
@@ -17,11 +16,11 @@ scriptElement(const char* text)
 } // namespace
 
 void
-addScene(const ReportScene* scene, HtmlPage& page)
+addScene(const ReportScene* scene, HtmlPage& page, const char* three)
 {
   if (!scene || scene->frames.empty())
     return;
-  if (*three_script == '\0') {
+  if (*three == '\0') {
     page.addText("This report has pictures alone: the program was built without three.js (Debian's package libjs-three).");
     return;
   }
@@ -30,7 +29,7 @@ addScene(const ReportScene* scene, HtmlPage& page)
   page.addMarkup(scene_markup);
   page.addMarkup("<script type=\"application/json\" id=\"scene-data\">" + sceneJson(*scene) + "</script>\n");
   page.addMarkup(std::string("<!--\n") + three_licence + "-->\n");
-  page.addMarkup(scriptElement(three_script));
+  page.addMarkup(scriptElement(three));
   page.addMarkup(scriptElement(scene_script));
 }
 

@@ -4,12 +4,13 @@
  */
 #pragma once
 
+#include "embedded_texts.h"
 #include "html_page.h"
 #include "report_scene.h"
 
 namespace pcl_spiral {
 
-/** Adds \p scene with its notes; null: nothing. Without three.js, a sentence says that there are pictures alone. */
-void addScene(const ReportScene* scene, HtmlPage& page);
+/** Adds \p scene with its notes; null: nothing. \p three: three.js; where it is empty, a sentence says that there are pictures alone. */
+void addScene(const ReportScene* scene, HtmlPage& page, const char* three = three_script);
 
 } // namespace pcl_spiral
