@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace pcl_spiral {
 namespace {
@@ -18,10 +19,14 @@ linear(const RotaryAngles& a, const RotaryAngles& b, double t)
   return {a.first + t * (b.first - a.first), a.second + t * (b.second - a.second)};
 }
 
-bool
-isWithin(const ToolPose& a, const ToolPose& b, const BlockTolerance& tolerance)
+/** The tip on the move from \p a to \p b with the rotary axes at \p angles. */
+Eigen::Vector3d
+tipOnMove(const Kinematics& kinematics, const MachineLocation& a, const MachineLocation& b, const RotaryAngles& angles, double t)
 {
-  return (a.tip - b.tip).norm() <= tolerance.tip && angleBetween(a.axis, b.axis) <= tolerance.axis;
+  if (kinematics.machine().rtcp)
+    return a.pose.tip + t * (b.pose.tip - a.pose.tip);
+  const Eigen::Vector3d from = kinematics.programmed(a.pose.tip, a.angles), to = kinematics.programmed(b.pose.tip, b.angles);
+  return kinematics.tipOf(from + t * (to - from), angles);
 }
 
 bool
@@ -29,9 +34,13 @@ staysNear(const Kinematics& kinematics, const MachineLocation& a, const MachineL
 {
   if (std::max(std::abs(b.angles.first - a.angles.first), std::abs(b.angles.second - a.angles.second)) > largest_turn)
     return false;
-  for (double t : {0.5, 0.25, 0.75})
-    if (!isWithin(interpolated(kinematics, a, b, t), between(a.pose, b.pose, t), tolerance))
+  for (double t : {0.5, 0.25, 0.75}) {
+    const RotaryAngles angles = linear(a.angles, b.angles, t);
+    const Eigen::Vector3d tip = a.pose.tip + t * (b.pose.tip - a.pose.tip);
+    if ((tipOnMove(kinematics, a, b, angles, t) - tip).norm() > tolerance.tip ||
+        angleBetween(kinematics.toolAxis(angles), arcBetween(a.pose.axis, b.pose.axis, t)) > tolerance.axis)
       return false;
+  }
   return true;
 }
 
@@ -107,23 +116,29 @@ interpolated(const Kinematics& kinematics, const MachineLocation& a, const Machi
   const RotaryAngles angles = linear(a.angles, b.angles, t);
   ToolPose pose = between(a.pose, b.pose, t);
   pose.axis = kinematics.toolAxis(angles);
-  if (!kinematics.machine().rtcp) {
-    const Eigen::Vector3d from = kinematics.programmed(a.pose.tip, a.angles), to = kinematics.programmed(b.pose.tip, b.angles);
-    pose.tip = kinematics.tipOf(from + t * (to - from), angles);
-  }
+  pose.tip = tipOnMove(kinematics, a, b, angles, t);
   return pose;
 }
 
 MachineLocations
 splitBlocks(const Kinematics& kinematics, Branch branch, const MachineLocations& path, const BlockTolerance& tolerance)
 {
+  constexpr std::size_t together = 4096; // moves that one thread takes at a time
   MachineLocations out;
+  if (path.empty())
+    return out;
+  std::vector<MachineLocations> runs((path.size() + together - 2) / together);
+  const auto count = static_cast<std::int64_t>(runs.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::int64_t r = 0; r < count; ++r)
+    for (std::size_t i = r * together + 1; i <= std::min(path.size() - 1, (r + 1) * together); ++i)
+      split(kinematics, branch, path[i - 1], path[i], tolerance, 0, runs[r]);
   out.reserve(path.size());
-  for (const MachineLocation& location : path)
-    if (out.empty())
-      out.push_back(location);
-    else
-      split(kinematics, branch, MachineLocation(out.back()), location, tolerance, 0, out);
+  out.push_back(path.front());
+  for (MachineLocations& run : runs) {
+    out.insert(out.end(), run.begin(), run.end());
+    MachineLocations().swap(run);
+  }
   return out;
 }
 
@@ -133,6 +148,8 @@ thinnedBlocks(const Kinematics& kinematics, const MachineLocations& path, const 
   const BlockTolerance least{std::max(tolerance.tip, 1e-9), std::max(tolerance.axis, 1e-12)};
   const std::vector<double> way = measuredWay(path, least);
   MachineLocations out;
+  if (!(tolerance.tip > 0.0))
+    out.reserve(path.size()); // hardly any is left out
   for (std::size_t i = 0; i < path.size();) {
     out.push_back(path[i]);
     std::size_t reach = i + 1, step = 1; // the farthest location known to be allowed; then steps that halve

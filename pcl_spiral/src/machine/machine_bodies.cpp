@@ -30,8 +30,8 @@ turnsHead(const Machine& machine, int axis)
 class SolidMaker {
 public:
   SolidMaker(const Machine& machine, const Eigen::AlignedBox3d& part, double tool_height)
-  : machine_(machine), part_(part), size_(std::max(part.diagonal().norm(), 1.0)),
-    nose_(0.0, 0.0, std::max(0.0, tool_height - machine.tool_length))
+  : machine_(machine), part_(part), size_(std::max(part.diagonal().norm(), 1.0)), tool_top_(0.0, 0.0, tool_height - machine.tool_length),
+    nose_(0.0, 0.0, std::max(0.0, tool_top_.z()))
   {}
 
   std::vector<MachineSolid> make()
@@ -101,6 +101,7 @@ private:
   {
     const double radius = 0.1 * size_;
     const Eigen::Vector3d z = Eigen::Vector3d::UnitZ(), top = nose_ + 0.45 * size_ * z;
+    addCylinder(MachineBody::Spindle, tool_top_, nose_, 0.4 * radius); // what the tool is longer than its given holder
     addCylinder(MachineBody::Spindle, nose_, nose_ + 0.08 * size_ * z, 0.6 * radius);
     addCylinder(MachineBody::Spindle, nose_ + 0.08 * size_ * z, top, radius);
     Eigen::Vector3d hung = nose_ + 0.35 * size_ * z; // what the carrier holds
@@ -139,7 +140,7 @@ private:
   const Machine& machine_;
   const Eigen::AlignedBox3d part_;
   double size_;
-  Eigen::Vector3d nose_; ///< of the spindle
+  Eigen::Vector3d tool_top_, nose_; ///< upper end of the tool, lower end of the spindle
   std::vector<MachineSolid> solids_;
 };
 

@@ -103,6 +103,7 @@ layPass(const Kinematics& kinematics, const ProgramSettings& settings, const Too
   }
   const BlockTolerance block{(1.0 - held_share) * settings.block.tip, settings.block.axis};
   const MachineLocations split = splitBlocks(kinematics, rotary.branch, rotary.locations, block);
+  MachineLocations().swap(rotary.locations); // as large as the path
   pass.path = thinnedBlocks(kinematics, split, settings.thinning);
   if (before.empty())
     report.branch = rotary.branch;
@@ -257,7 +258,8 @@ MachineProgramGenerator::check(const ProgramSettings& s) const
        {rangeFault(s), require(s.feed > 0.0 && std::isfinite(s.feed), "feed", s.feed, "it must be above 0 {mm/min}"),
         require(s.ball_radius >= 0.0 && std::isfinite(s.ball_radius), "ball radius", s.ball_radius, "it must not be below 0 {mm}"),
         require(s.block.tip >= BlockTolerance::least_tip, "block tolerance", s.block.tip, "it must be 0.0001 {mm} or more"),
-        require(s.block.axis >= BlockTolerance::least_axis, "block tolerance", s.block.axis, "it must be 1e-6 radians or more"),
+        require(s.block.axis >= BlockTolerance::least_axis, "block tolerance of the axis", s.block.axis / degree,
+                "it must be 0.00006 {degrees} or more"),
         require(s.thinning.tip >= 0.0 && s.thinning.axis >= 0.0, "thinning tolerance", std::min(s.thinning.tip, s.thinning.axis),
                 "it must not be below 0"),
         require(s.clear_box.isEmpty() || s.clear_box.sizes().allFinite(), "size of the box to clear", s.clear_box.sizes().maxCoeff(),
@@ -290,6 +292,10 @@ MachineProgramGenerator::computeProgram(const ProgramSettings& settings, Machine
   for (int corner = 0; corner < 8 && !settings.clear_box.isEmpty(); ++corner)
     top = std::max(top, settings.clear_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)).dot(up));
   const ToolLeads leads(kinematics, settings, up, top + settings.rapid_height);
+  std::size_t locations = 0;
+  for (const MachinePass& pass : passes)
+    locations += pass.path.size();
+  program.blocks.reserve(locations + locations / 8);
   for (std::size_t k = 0; k < passes.size(); ++k)
     for (const TurnPass& turn : passes[k].turns) {
       if (turn.first > 0)
@@ -299,6 +305,7 @@ MachineProgramGenerator::computeProgram(const ProgramSettings& settings, Machine
       program.report.blocked_links += blocked;
       addPass(kinematics, settings, leads, passes[k].path, turn, k, asked && !blocked, program);
     }
+  std::vector<MachinePass>().swap(passes); // as large as the program
   program.blocks.erase(std::unique(program.blocks.begin(), program.blocks.end(), samePose), program.blocks.end());
   addRetracts(kinematics, program.blocks);
   setBlockTimes(kinematics, settings, program);

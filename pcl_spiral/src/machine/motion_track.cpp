@@ -15,6 +15,8 @@ MotionTrack::MotionTrack(MachineProgram program, const MotionTime& time, bool ax
 : program_(std::move(program)), axis_arcs_(axis_arcs), kinematics_{Kinematics(program_.machine)}
 {
   double seconds = 0.0, way = 0.0;
+  ends_.reserve(program_.blocks.size());
+  ways_.reserve(program_.blocks.size());
   for (std::size_t i = 0; i < program_.blocks.size(); ++i) {
     if (i > 0)
       way += (program_.blocks[i].tip - program_.blocks[i - 1].tip).norm();
@@ -40,6 +42,19 @@ MotionTrack::secondsAt(double length) const
   const auto block = static_cast<std::size_t>(found - ways_.begin());
   const double begin = block > 0 ? ways_[block - 1] : 0.0, way = ways_[block] - begin;
   return secondsIn(block, way > 0.0 ? std::clamp((length - begin) / way, 0.0, 1.0) : 1.0);
+}
+
+double
+MotionTrack::feedIn(std::size_t block) const
+{
+  return took(block) > 0.0 ? 60.0 * wayOf(block) / took(block) : 0.0;
+}
+
+double
+MotionTrack::askedIn(std::size_t block) const
+{
+  const ProgramBlock& to = program_.blocks[block];
+  return !to.rapid && to.minutes > 0.0 ? wayOf(block) / to.minutes : 0.0;
 }
 
 /** The rotary axes turn evenly; where the tool axis moves along an arc, as that \p axis needs. */
@@ -75,17 +90,16 @@ MotionTrack::at(double seconds) const
   frame.block = std::min<std::size_t>(static_cast<std::size_t>(found - ends_.begin()), ends_.size() - 1);
   frame.seconds = std::clamp(seconds, 0.0, this->seconds());
   const std::size_t before = frame.block > 0 ? frame.block - 1 : 0;
-  const double took = ends_[frame.block] - ends_[before];
-  frame.share = took > 0.0 ? std::clamp((frame.seconds - ends_[before]) / took, 0.0, 1.0) : 1.0;
+  const double lasts = took(frame.block);
+  frame.share = lasts > 0.0 ? std::clamp((frame.seconds - ends_[before]) / lasts, 0.0, 1.0) : 1.0;
   const ProgramBlock &from = program_.blocks[before], &to = program_.blocks[frame.block];
   const ToolPose pose = poseOnMove(kinematics_.front(), from, to, frame.share, axis_arcs_);
-  const double way = ways_[frame.block] - ways_[before];
   frame.tip = pose.tip;
   frame.axis = pose.axis;
   frame.angles = anglesAt(from, to, frame.share, pose.axis);
-  frame.length = ways_[before] + frame.share * way;
-  frame.feed = took > 0.0 ? 60.0 * way / took : 0.0;
-  frame.asked = !to.rapid && to.minutes > 0.0 ? way / to.minutes : 0.0;
+  frame.length = ways_[before] + frame.share * wayOf(frame.block);
+  frame.feed = feedIn(frame.block);
+  frame.asked = askedIn(frame.block);
   return frame;
 }
 

@@ -47,12 +47,18 @@ public:
 
   /** At \p seconds since the begin; before the first block, and after the last, at their ends. There must be a block. */
   MotionFrame at(double seconds) const;
+  /** The mean feed of the tip over block \p block, mm/min. */
+  double feedIn(std::size_t block) const;
+  /** The feed of the tip that it asks for, mm/min; 0: a rapid. */
+  double askedIn(std::size_t block) const;
   /** When the tip has made \p length mm of its way. */
   double secondsAt(double length) const;
   /** When the machine is at share \p share of block \p block, s. */
   double secondsIn(std::size_t block, double share) const;
 
 private:
+  double took(std::size_t block) const { return block > 0 ? ends_[block] - ends_[block - 1] : 0.0; }
+  double wayOf(std::size_t block) const { return block > 0 ? ways_[block] - ways_[block - 1] : 0.0; }
   RotaryAngles anglesAt(const ProgramBlock& from, const ProgramBlock& to, double share, const Eigen::Vector3d& axis) const;
 
   MachineProgram program_;

@@ -21,28 +21,26 @@ public:
   /** Adds the block from \p before to \p block. */
   void add(const ProgramBlock& before, const ProgramBlock& block)
   {
-    if (!isTiny(block))
+    if (out_.empty() || !isTiny(out_.back(), block))
       return out_.push_back(block);
-    held_ = true;
     const int parts = std::max(1, static_cast<int>(std::ceil((place(block) - place(before)).norm() / tolerance_)));
     for (int i = 1; i < parts; ++i)
       turn(between(before, block, static_cast<double>(i) / parts));
     turn(block);
   }
 
-  bool held() const { return held_; }
+  /** Whether the linear axes of \p block after \p before hardly move. */
+  bool isTiny(const ProgramBlock& before, const ProgramBlock& block) const
+  {
+    if (block.rapid || !turns(before, block))
+      return false;
+    const double way = (place(block) - place(before)).norm();
+    return way > 0.0 && way < least_linear_rate * block.minutes;
+  }
   std::vector<ProgramBlock> take() { return std::move(out_); }
 
 private:
   const Eigen::Vector3d& place(const ProgramBlock& block) const { return kinematics_.machine().rtcp ? block.tip : block.machine; }
-
-  bool isTiny(const ProgramBlock& block) const
-  {
-    if (out_.empty() || block.rapid || !turns(out_.back(), block))
-      return false;
-    const double way = (place(block) - place(out_.back())).norm();
-    return way > 0.0 && way < least_linear_rate * block.minutes;
-  }
 
   /** The block with its linear axes at \p to. */
   ProgramBlock movedTo(ProgramBlock block, const Eigen::Vector3d& to) const
@@ -77,7 +75,6 @@ private:
 
   const Kinematics& kinematics_;
   double tolerance_;
-  bool held_ = false;
   std::vector<ProgramBlock> out_;
 };
 
@@ -87,11 +84,14 @@ bool
 holdTinyMoves(const Kinematics& kinematics, double tolerance, std::vector<ProgramBlock>& blocks)
 {
   HeldBlocks held(kinematics, tolerance);
+  const auto tiny = std::adjacent_find(blocks.begin(), blocks.end(),
+                                       [&](const ProgramBlock& before, const ProgramBlock& block) { return held.isTiny(before, block); });
+  if (tiny == blocks.end())
+    return false; // without a copy
   for (std::size_t i = 0; i < blocks.size(); ++i)
     held.add(blocks[i == 0 ? 0 : i - 1], blocks[i]);
-  if (held.held())
-    blocks = held.take();
-  return held.held();
+  blocks = held.take();
+  return true;
 }
 
 } // namespace pcl_spiral

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/playback.h"
 
+#include "common/freed_memory.h"
 #include "planning/way_times.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
@@ -114,6 +115,7 @@ playbackTime(PlaybackInput& input, PlaybackTime& time)
   if (!motion || program.blocks.empty())
     return {StatusCode::InvalidInput, "the program has no blocks, or a block without a finite place or time, so that it cannot be played"};
   time.track = MotionTrack(std::move(program), *motion, axis_arcs);
+  returnFreedMemory();
   time.reached = given ? reachedByLine(input, time.lines, time.track)
                        : timesOnWay(*input.path, passBegins(*input.path), time.track.program().blocks, time.track.ends());
   return Status::success();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When stock falls: at the end and after any part of the path it is as high as the judge measures it.
 #include "verify/stock_falls.h"
+#include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/planning/impl/path_judging.h>
 #include <pcl_spiral/verify/impl/profile_sweep.h>
 
@@ -101,6 +102,31 @@ TEST(StockFalls, AfterAnyMoveTheStockIsThatOfThePathUpToThere)
       EXPECT_TRUE(moves == all || lower < 4 * falls.places() / 5) << lower;
     }
   }
+}
+
+TEST(StockFalls, OfManyPlacesTheWorstOfEachNeighbourhoodIsKept)
+{
+  constexpr std::size_t most = 700;
+  JudgedDome dome(CutterShape::ball(10.0));
+  std::vector<float> stock = dome.judge(dome.path->size() - 1);
+  const auto measured = std::find_if(stock.begin() + 2000, stock.end(), [](float value) { return !std::isnan(value); });
+  *measured = -0.7f; // a gouge at one point
+  const StockMesh whole = stockMesh(*dome.reference, stock), thin = stockMesh(*dome.reference, stock, most);
+  EXPECT_LE(thin.places.size(), most);
+  EXPECT_GT(thin.places.size(), most / 3);
+  EXPECT_EQ(*std::min_element(thin.stock.begin(), thin.stock.end()), -0.7f);
+  EXPECT_EQ(*std::max_element(thin.stock.begin(), thin.stock.end()), *std::max_element(whole.stock.begin(), whole.stock.end()));
+  for (std::size_t i = 0; i < thin.places.size(); ++i) {
+    const auto same = std::find(whole.places.begin(), whole.places.end(), thin.places[i]);
+    ASSERT_NE(same, whole.places.end()) << "a place of its own";
+    ASSERT_EQ(thin.stock[i], whole.stock[static_cast<std::size_t>(same - whole.places.begin())]);
+  }
+  double area = 0.0;
+  for (const auto& [a, b, c] : thin.triangles) {
+    ASSERT_LT(std::max({a, b, c}), thin.places.size());
+    area += 0.5 * (thin.places[b] - thin.places[a]).cross(thin.places[c] - thin.places[a]).z();
+  }
+  EXPECT_NEAR(area, pi * 14.0 * 14.0, 0.15 * pi * 14.0 * 14.0) << "seen from above: a rim is lost, no triangle is turned";
 }
 
 TEST(StockFalls, StockNeverRisesAndItsFallsAreFew)

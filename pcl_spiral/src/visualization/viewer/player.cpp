@@ -81,9 +81,9 @@ Player::findSlow()
   for (std::size_t b = 1; b < blocks.size(); ++b) {
     if (blocks[b].section != BlockSection::Cut)
       continue;
-    const MotionFrame frame = time_.track.at(time_.track.secondsIn(b, 0.5));
-    if (frame.block == b && frame.asked > 0.0 && frame.feed < slow_share * frame.asked)
-      found.emplace_back(frame.feed / frame.asked, b);
+    const double feed = time_.track.feedIn(b), asked = time_.track.askedIn(b);
+    if (asked > 0.0 && time_.track.endOf(b) > time_.track.endOf(b - 1) && feed < slow_share * asked)
+      found.emplace_back(feed / asked, b);
   }
   const std::size_t count = std::min(most_slow, found.size());
   std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end());

@@ -6,7 +6,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double machine_room = 2.2; ///< of the width of the view of the part
+constexpr double machine_room = 2.6; ///< of the width of the view of the part
 
 } // namespace
 
