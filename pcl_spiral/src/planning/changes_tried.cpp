@@ -3,6 +3,7 @@
 
 #include "planning/lacking_points.h"
 #include "planning/scan_clearance.h"
+#include "spiral/scan_warnings.h"
 
 #include <pcl_spiral/collision/impl/false_echoes.h>
 #include <pcl_spiral/core/impl/tolerances.h>
@@ -47,24 +48,6 @@ figuresOf(const SpiralPlan& plan)
   if (uncut > 0.0)
     text += Diagnostic("; not cut beside keep-outs: ", uncut, " {mm2}");
   return text;
-}
-
-/** Whether the ball of \p plan stays out of all points that it cuts, but single false echoes. What is left out by its place is an obstacle,
- *  for which the plan was checked. */
-bool
-isClear(const SpiralPlan& plan)
-{
-  if (plan.mesh || !plan.cloud)
-    return true;
-  std::vector<Eigen::Vector3f> points;
-  for (const pcl::PointXYZ& p : *plan.cloud)
-    if (pcl::isFinite(p))
-      points.push_back(p.getVector3fMap());
-  pcl::PointCloud<pcl::PointXYZ> things;
-  for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
-    things.push_back({p.x(), p.y(), p.z()});
-  const SpiralSettings& s = plan.settings;
-  return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= gougeTolerance(s.chord_error, plan.report.noise);
 }
 
 /** A search through changes, first each alone, then two together. */
@@ -154,6 +137,24 @@ private:
 };
 
 } // namespace
+
+bool
+isClear(const SpiralPlan& plan)
+{
+  if (plan.mesh || !plan.cloud)
+    return true;
+  if (!showsHollows(plan.report.spacing, plan.settings.tool_radius))
+    return false;
+  std::vector<Eigen::Vector3f> points;
+  for (const pcl::PointXYZ& p : *plan.cloud)
+    if (pcl::isFinite(p))
+      points.push_back(p.getVector3fMap());
+  pcl::PointCloud<pcl::PointXYZ> things;
+  for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
+    things.push_back({p.x(), p.y(), p.z()});
+  const SpiralSettings& s = plan.settings;
+  return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= gougeTolerance(s.chord_error, plan.report.noise);
+}
 
 Diagnostic
 changeThatHelps(const PlanInput& input, const Status& refusal, const std::vector<PlanAttempt>& attempts, const PlanChanged& plan)

@@ -20,4 +20,8 @@ using PlanChanged = std::function<Status(const PlanInput&, SpiralPlan&)>;
 Diagnostic changeThatHelps(const PlanInput& input, const Status& refusal, const std::vector<PlanAttempt>& attempts,
                            const PlanChanged& plan);
 
+/** Whether the path of \p plan cuts nothing that its scan shows: its points show what the ball passes between, and the ball stays out of
+ *  all of them but single false echoes. What is left out by its place is an obstacle, for which the plan was checked. */
+bool isClear(const SpiralPlan& plan);
+
 } // namespace pcl_spiral

@@ -49,7 +49,7 @@ scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings)
                    "to ",
                    rounding, " {mm}, and the chord error is ", settings.chord_error,
                    " {mm}: move the {scan} nearer to (0, 0, 0), or allow a larger chord error ({setChordError})"));
-  if (spacing > 2.0 * settings.tool_radius)
+  if (!showsHollows(spacing, settings.tool_radius))
     warnings.push_back(
         Diagnostic("the points of the {scan} lie ", spacing, " {mm} apart, more than the cutter's width (", 2.0 * settings.tool_radius,
                    " {mm}): the {scan} does not show hollows between them, and the cutter may gouge there; check the unit of the "

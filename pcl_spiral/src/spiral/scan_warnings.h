@@ -14,4 +14,11 @@ namespace pcl_spiral {
  *  half the part, points farther apart than the cutter is wide, a scallop below the scan's noise. */
 Diagnostics scanWarnings(const SurfaceGraph& graph, const SpiralSettings& settings);
 
+/** Whether points \p spacing apart show the hollows that a ball of \p tool_radius fits into: not if it passes between them. */
+inline bool
+showsHollows(double spacing, double tool_radius)
+{
+  return spacing <= 2.0 * tool_radius;
+}
+
 } // namespace pcl_spiral

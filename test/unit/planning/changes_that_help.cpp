@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A refused plan names the change that gives a path, tried by the planner itself: scans for which it is known which one that is.
+#include "planning/changes_tried.h"
 #include "planning/input_tables.h"
 #include "planning/lacking_points.h"
 #include "planning/proposed_value.h"
@@ -112,6 +113,21 @@ TEST(ChangesThatHelp, TheRadiusToldFitsAGroove)
   EXPECT_GT(1.3 * told, fillet);
   EXPECT_TRUE(statusWith(told).ok()) << statusWith(told).message();
   EXPECT_FALSE(statusWith(1.3 * told).ok());
+}
+
+/** Between points farther apart than it is wide, a ball would cut what they do not show. */
+TEST(ChangesThatHelp, ABallThatPassesBetweenThePointsIsNotNamed)
+{
+  const ScanPtr scan = plate(); // points 0.8 apart
+  for (const double radius : {0.3, 3.0}) {
+    Spiral planner;
+    prepare(scan, planner);
+    planner.setToolRadius(radius);
+    planner.setScallopHeight(0.02 * radius);
+    planner.compute();
+    ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    EXPECT_EQ(isClear(planner.getPlan()), radius > 0.5) << "radius " << radius;
+  }
 }
 
 TEST(ChangesThatHelp, TwoTogetherWhereNoneIsEnough)
