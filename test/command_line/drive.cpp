@@ -355,7 +355,7 @@ TEST(Drive, OutliersAreClimbedOverOrLeftOut)
   };
   RunResult kept, left_out;
   EXPECT_GT(highest({}, kept), 8.5);
-  expectHas(kept.err, "3 points of the scan are isolated outliers");
+  expectHas(kept.err, "3 points of the scan are outliers");
   expectHas(kept.err, "--leave-out-strays");
   EXPECT_LT(highest({"--leave-out-strays"}, left_out), 0.1);
   expectHas(left_out.err,

@@ -18,8 +18,8 @@ namespace pcl_spiral {
 std::vector<std::uint32_t> isolatedOutliers(const SurfaceGraph& graph);
 
 /** Points 2.5 usual spacings or more from their neighbours that belong to no triangle, or only to parts with less than 0.02 of the
- *  triangles: echoes high above the surface, whose nearest neighbours are each other. Also spikes and fans of long triangles at a rim: such
- *  points that triangles join to each other, if all of them are five spacings or more from the dense points beside them and none is
+ *  triangles: echoes high above the surface, whose nearest neighbours are each other. Also spikes and fans of long triangles, as at a rim:
+ *  such points that triangles join to each other, if all of them are five spacings or more from the dense points beside them and none is
  *  surrounded by the others. None in an evenly spread scan, nor in one with a sparser part, three points wide. Original indices,
  *  ascending. */
 std::vector<std::uint32_t> sparseClusters(const SurfaceGraph& graph);

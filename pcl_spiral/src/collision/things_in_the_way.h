@@ -29,7 +29,8 @@ struct ThingInTheWay {
 std::vector<ThingInTheWay> thingsInTheWay(const pcl::PointCloud<ToolpathPoint>& path, double radius,
                                           const std::vector<Eigen::Vector3f>& points, double allowed, double link);
 
-/** "1 thing stands in the way: from (0, 0, 0) to (10, 12, 8), 10 by 12 mm"; the deepest few, and how many more. */
+/** "1 thing stands in the way: from (0, 0, 0) to (10, 12, 8), 10 by 12 mm"; the deepest few, and how many more.
+ *  \p to_keep_out: each box is proposed as a keep-out. */
 Diagnostic thingsText(const std::vector<ThingInTheWay>& things, bool to_keep_out);
 
 } // namespace pcl_spiral

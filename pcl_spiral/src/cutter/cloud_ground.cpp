@@ -188,7 +188,7 @@ void
 CloudGround::describe(const ToolLocations&, LocationFigures& f) const
 {
   f.noise_allowance = surface_.noiseAllowance();
-  f.outlier_points = surface_.hasSurface() ? surface_.isolatedPoints() : 0;
+  f.outlier_points = surface_.hasSurface() ? surface_.outlierPoints() : 0;
   const std::size_t asked = f.count(LocationState::Reached) + f.count(LocationState::Lifted) + f.count(LocationState::Clear);
   if (asked > 0 && surface_.hasSurface() && surface_.surface().fitNoise() > options_.tolerance)
     f.warnings.push_back(
@@ -197,7 +197,7 @@ CloudGround::describe(const ToolLocations&, LocationFigures& f) const
                    " {mm}: contacts may be reported as lifted or clear only because of noise; raise the tolerance to three times "
                    "this error"));
   if (f.outlier_points > 0)
-    f.warnings.push_back(Diagnostic(f.outlier_points, " points of the scan are isolated outliers; the cutter stays clear of "
+    f.warnings.push_back(Diagnostic(f.outlier_points, " points of the scan are outliers; the cutter stays clear of "
                                                       "them too: remove them first if they are false echoes ({OutlierRemoval})"));
   if (!surface_.hasSurface())
     f.warnings.push_back(Diagnostic("the points form no surface, so the rim of the scan is not known: ", surface_.whyNone().diagnostic()));

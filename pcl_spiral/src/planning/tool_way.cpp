@@ -65,14 +65,14 @@ remedyFor(const MachineProgram& program, const LeadCollision& deepest)
       " {degrees}, because the rotary axis would turn too fast: keep the axis of the path ({ProgramSettings::pole_cone} 0), ");
 }
 
-/** How far away the holder must begin so that it stays off the place of \p deepest: no nearer than the place is to the tip. */
+/** A flank so long, from the centre of the ball, that the holder begins no nearer to the tip than the place of \p deepest is. */
 Diagnostic
 longerTool(const ToolWay& asked, const LeadCollision& deepest)
 {
-  const double length = (deepest.place - deepest.tip).norm() + asked.tool.holder_clearance;
+  const double length = (deepest.place - deepest.tip).norm() - asked.tool.cutter.radius + asked.tool.holder_clearance;
   if (!asked.is_ball || deepest.part != ToolPart::Holder || !(length > asked.tool.cutter.flank_length))
     return "";
-  return Diagnostic(": ", Proposed("setFlankLength", length), " {mm} clear that place");
+  return Diagnostic(": ", Proposed("setFlankLength", length), " {mm} or more clears that place");
 }
 
 /** The whole scan without the clusters that are left out as false echoes. */

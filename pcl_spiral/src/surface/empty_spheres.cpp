@@ -9,9 +9,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double larger = 1.25;      // than the ball
-constexpr double most_radii = 50.0;  // spacings: about 2000 points beside a sphere, which take as long as fitting the surface at a point
-constexpr float float_error = 1e-6f; // more than the rounding of a distance
+constexpr double larger = 1.25;     // than the ball
+constexpr double most_radii = 50.0; // spacings: about 2000 points beside a sphere, which take as long as fitting the surface at a point
+constexpr std::size_t most_nearby = 8192; // points: to go through more takes longer than the search for one of them in a ball
+constexpr float float_error = 1e-6f;      // more than the rounding of a distance
 
 /** Points beside one another, in arrays that the compiler can go through several at a time. */
 struct Nearby {
@@ -77,7 +78,7 @@ forTangentSpheres(const PointBlocks& points, const std::vector<Eigen::Vector3f>&
         centres.extend(Eigen::Vector3f(points.point(i) + radius * normals[i]).data());
       nearby.clear();
       points.forBlocksNear(centres, within * within, [&](std::size_t near) {
-        for (std::size_t k = points.blockBegin(near); k < points.blockEnd(near); ++k)
+        for (std::size_t k = points.blockBegin(near); k < points.blockEnd(near) && nearby.x.size() < most_nearby; ++k)
           nearby.add(points.point(k), limit(k));
       });
       if (!visit(begin, end, nearby))
@@ -115,12 +116,12 @@ emptySpheres(const PointBlocks& points, const std::vector<Eigen::Vector3f>& norm
   std::vector<std::uint8_t> empty(points.size(), 0);
   const auto r = static_cast<float>(radius);
   const float least = depths.empty() ? 0.0f : *std::min_element(depths.begin(), depths.end());
-  const float within = std::sqrt(std::max(0.0f, r * (r - 2.0f * std::max(least, 0.0f)))); // of a centre, where a point counts at all
+  const float within = std::sqrt(std::max(0.0f, r * (r - 2.0f * least))); // of a centre, where a point counts at all
   const Limits all{std::numeric_limits<float>::max(), -1.0f};
   forTangentSpheres(
       points, normals, r, within * (1.0f + float_error), [&](std::size_t k) { return depths[k]; },
       [&](std::size_t i, std::size_t end, const Nearby& nearby) {
-        for (; i < end; ++i)
+        for (; i < end && nearby.x.size() < most_nearby; ++i)
           empty[i] = !holdsAny(nearby, points.point(i), normals[i], r, all);
         return true;
       });

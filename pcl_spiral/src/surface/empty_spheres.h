@@ -20,7 +20,8 @@ bool spheresAreEmpty(const SurfaceGraph& graph, double radius, double own, doubl
 
 /** For each of \p points, whether none of them lies in the sphere of \p radius that is tangent there on the side of its normal, deeper than
  *  the depth asked of it in \p depths, mm. The point itself lies on the sphere, at depth 0, and counts where less is asked. The depth of a
- *  point at distance d from the centre is (radius^2 - d^2) / (2 radius). */
+ *  point at distance d from the centre is (radius^2 - d^2) / (2 radius). Zero, too, where so many points are near the spheres that a
+ *  search takes less time than to look at them. */
 std::vector<std::uint8_t> emptySpheres(const PointBlocks& points, const std::vector<Eigen::Vector3f>& normals, double radius,
                                        const std::vector<float>& depths);
 

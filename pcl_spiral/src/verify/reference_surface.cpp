@@ -41,8 +41,8 @@ stripOutside(const BoundaryLoop& loop, const MoveIndex& outline, const SurfaceGr
 ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface)
 : scanned_(std::move(surface)), surface_(scanned_->graph(), 0, ProjectionMethod::RobustQuartic)
 {
-  if (isolatedPoints() > 0)
-    warnings_.push_back(Diagnostic(isolatedPoints(), " isolated outliers of the reference were left out"));
+  if (outlierPoints() > 0)
+    warnings_.push_back(Diagnostic(outlierPoints(), " outliers of the reference were left out"));
   if (const std::vector<StandingCluster>& clusters = scanned_->clusters(); !clusters.empty())
     warnings_.push_back(Diagnostic(clustersText(clusters, scanned_->spacing()),
                                    (scanned_->settings().clusters == ClusterHandling::Ride

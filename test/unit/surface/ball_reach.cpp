@@ -292,7 +292,7 @@ TEST(BallReach, KnowsWhichSpheresAreEmpty)
     for (const float least : {-0.001f, 0.02f, 0.1f}) {
       std::vector<float> depths;
       for (std::size_t i = 0; i < points.size(); ++i)
-        depths.push_back(least + asked(random) * static_cast<float>(radius));
+        depths.push_back(i % 50 == 0 ? -0.05f * static_cast<float>(radius) : least + asked(random) * static_cast<float>(radius));
       const std::vector<std::uint8_t> empty = emptySpheres(points, normals, radius, depths);
       std::size_t share = 0;
       for (std::size_t i = 0; i < points.size(); ++i) {

@@ -71,6 +71,9 @@ private:
   OutlierFigures figures_;
 };
 
+/** \deprecated Renamed OutlierFigures, its fields strays and kept_strays outliers and kept_outliers. */
+using StrayFigures [[deprecated("use OutlierFigures")]] = OutlierFigures;
+
 /** \deprecated Renamed OutlierRemoval. */
 template <typename PointT>
 using StrayRemoval [[deprecated("use OutlierRemoval")]] = OutlierRemoval<PointT>;

@@ -47,7 +47,7 @@ public:
   const ReferenceMesh* mesh() const { return mesh_.get(); }
   const MlsSurface& surface() const { return surface_; }
   /** Outliers of the scan: isolated points off the surface, or in small clusters apart from it. */
-  std::size_t isolatedPoints() const { return scanned_->counts().offSurface(); }
+  std::size_t outlierPoints() const { return scanned_->counts().offSurface(); }
 
   /** Standard deviation of single points about the surface, mm. On a scan without
    *  noise: what a quadric leaves of the shape, an upper bound. 0 for a mesh. */
