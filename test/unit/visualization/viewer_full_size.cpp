@@ -57,7 +57,7 @@ secondsOfFrames(ViewerSession& session, int frames, bool drawn)
 }
 
 void
-measure(std::size_t points)
+measure(std::size_t points, double scallop = 0.0075, double contact_spacing = 0.53)
 {
   if (!displayFault().empty())
     GTEST_SKIP() << "no display here";
@@ -65,8 +65,8 @@ measure(std::size_t points)
   passes.dome_radius = 600.0;
   passes.part_radius = 400.0;
   passes.half = 280.0;
-  passes.scallop = 0.0075;
-  passes.contact_spacing = 0.53;
+  passes.scallop = scallop;
+  passes.contact_spacing = contact_spacing;
   passes.points = points;
   Watch watch;
   ASSERT_NO_FATAL_FAILURE(passes.make());
@@ -92,6 +92,12 @@ measure(std::size_t points)
 }
 
 } // namespace
+
+/** What the measurements below do, on a small part. */
+TEST(ViewerFullSize, OfThreeThousandPoints)
+{
+  measure(3000, 0.5, 5.0);
+}
 
 TEST(ViewerFullSize, DISABLED_OfTwoHundredThousandPoints)
 {
