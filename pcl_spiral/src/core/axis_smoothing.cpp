@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "axis_smoothing.h"
 
+#include <pcl_spiral/core/impl/parallel_resize.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -22,43 +24,75 @@ constexpr double near_enough = 1.05;          // of the deviation allowed
 // What is far away has no part in a double. From one knot to the next, a change of the spline fades by exp(-step / (sqrt(2) length)),
 // but where steps are much longer than the length by no less than 2 - sqrt(3) = exp(-1.3), as an interpolating spline; a mean by
 // exp(-step / length). To 1e-17, exp(-39), a change thus fades over 39, and through a mean over 28 more.
-constexpr double fading = 70.0;        // sum of step / (sqrt(2) length), each at most steepest
-constexpr double steepest = 1.3;       // from one knot to the next
-constexpr double part_length = 700.0;  // the same sum over a part of a path; only speed: of ten fadings, a fifth is solved twice
-constexpr std::size_t together = 4096; // points that one thread takes at a time
+constexpr double fading = 70.0;       // sum of step / (sqrt(2) length), each at most steepest
+constexpr double steepest = 1.3;      // from one knot to the next
+constexpr double part_length = 700.0; // the same sum over a part of a path; only speed: of ten fadings, a fifth is solved twice
 
 /** The points of a path as knots. Points very near to each other make one knot. */
+class KnotsOfPath {
+public:
+  KnotsOfPath(const std::vector<double>& s, const Vectors& axes, double closest) : s_(s), axes_(axes)
+  {
+    begin_.reserve(s.size() + 1);
+    for (std::size_t i = 0; i < s.size();) {
+      const double farthest = s[i] + closest;
+      begin_.push_back(static_cast<std::uint32_t>(i));
+      while (i < s.size() && s[i] <= farthest)
+        ++i;
+    }
+    begin_.push_back(static_cast<std::uint32_t>(s.size()));
+  }
+
+  std::size_t size() const { return begin_.size() - 1; }
+  const std::vector<double>& places() const { return s_; }
+  const Vectors& axes() const { return axes_; }
+  /** The first of the points of knot \p k. */
+  std::size_t begin(std::size_t k) const { return begin_[k]; }
+  /** Arc length of knot \p k, in the middle of its points. */
+  double at(std::size_t k) const
+  {
+    double place = 0.0;
+    for (std::size_t i = begin_[k]; i < begin_[k + 1]; ++i)
+      place += s_[i] - s_[begin_[k]];
+    return s_[begin_[k]] + place / points(k);
+  }
+  /** Mean axis of the points of knot \p k. */
+  Vector3d wanted(std::size_t k) const
+  {
+    if (begin_[k + 1] == begin_[k] + 1)
+      return axes_[begin_[k]];
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t i = begin_[k]; i < begin_[k + 1]; ++i)
+      sum += axes_[i];
+    return sum / points(k);
+  }
+  /** Length of path that knot \p k represents. */
+  double weight(std::size_t k) const { return 0.5 * (at(std::min(k + 1, size() - 1)) - at(k > 0 ? k - 1 : 0)); }
+
+private:
+  double points(std::size_t k) const { return static_cast<double>(begin_[k + 1] - begin_[k]); }
+
+  const std::vector<double>& s_;
+  const Vectors& axes_;
+  std::vector<std::uint32_t> begin_; ///< first point of each knot, and the end
+};
+
+/** Knots of a path that follow each other. */
 struct Knots {
   std::vector<double> at; ///< arc length
   Vectors wanted;
-  std::vector<double> weight; ///< length of path that each one represents
+  std::vector<double> weight;
 
-  /** The knots from \p first up to \p last of \p all. */
-  Knots(const Knots& all, std::size_t first, std::size_t last)
-  : at(all.at.begin() + static_cast<std::ptrdiff_t>(first), all.at.begin() + static_cast<std::ptrdiff_t>(last)),
-    wanted(all.wanted.begin() + static_cast<std::ptrdiff_t>(first), all.wanted.begin() + static_cast<std::ptrdiff_t>(last)),
-    weight(all.weight.begin() + static_cast<std::ptrdiff_t>(first), all.weight.begin() + static_cast<std::ptrdiff_t>(last))
-  {}
-
-  Knots(const std::vector<double>& s, const Vectors& axes, double closest)
+  Knots(const KnotsOfPath& all, std::size_t first, std::size_t last)
   {
-    at.reserve(s.size());
-    wanted.reserve(s.size());
-    for (std::size_t begin = 0, end; begin < s.size(); begin = end) {
-      double place = 0.0;
-      Vector3d sum = Vector3d::Zero();
-      for (end = begin; end < s.size() && s[end] <= s[begin] + closest; ++end) {
-        place += s[end] - s[begin];
-        sum += axes[end];
-      }
-      const auto count = static_cast<double>(end - begin);
-      at.push_back(s[begin] + place / count);
-      wanted.push_back(end == begin + 1 ? axes[begin] : Vector3d(sum / count));
+    at.reserve(last - first);
+    wanted.reserve(last - first);
+    weight.reserve(last - first);
+    for (std::size_t k = first; k < last; ++k) {
+      at.push_back(all.at(k));
+      wanted.push_back(all.wanted(k));
+      weight.push_back(all.weight(k));
     }
-    const std::size_t n = at.size();
-    weight.reserve(n);
-    for (std::size_t k = 0; k < n; ++k)
-      weight.push_back(0.5 * (at[std::min(k + 1, n - 1)] - at[k > 0 ? k - 1 : 0]));
   }
 };
 
@@ -66,29 +100,15 @@ struct Knots {
 struct Spline {
   Vectors value, second;
 
-  /** Values at \p s between the knots \p at; beyond them the spline continues straight. */
-  Vectors values(const std::vector<double>& at, const std::vector<double>& s) const
+  /** The value at \p place, beside or beyond knots \p k and k + 1, which are at \p at; beyond all knots the spline continues straight. */
+  Vector3d between(const std::vector<double>& at, std::size_t k, double place) const
   {
-    if (at.size() == 1)
-      return Vectors(s.size(), value[0]);
-    Vectors result(s.size());
-    const auto blocks = static_cast<std::int64_t>((s.size() + together - 1) / together);
-#pragma omp parallel for schedule(static)
-    for (std::int64_t block = 0; block < blocks; ++block) {
-      const std::size_t begin = static_cast<std::size_t>(block) * together, end = std::min(s.size(), begin + together);
-      auto k = static_cast<std::size_t>(std::upper_bound(at.begin() + 1, at.end() - 1, s[begin]) - at.begin()) - 1;
-      for (std::size_t i = begin; i < end; ++i) {
-        const double place = s[i];
-        while (k + 2 < at.size() && at[k + 1] <= place)
-          ++k;
-        const double h = at[k + 1] - at[k], ahead = at[k + 1] - place, back = place - at[k];
-        result[i] = (back * value[k + 1] + ahead * value[k]) / h;
-        if (back > 0.0 && ahead > 0.0)
-          result[i] -= back * ahead / 6.0 * ((1.0 + back / h) * second[k + 1] + (1.0 + ahead / h) * second[k]);
-        if (back == 0.0)
-          result[i] = value[k];
-      }
-    }
+    const double h = at[k + 1] - at[k], ahead = at[k + 1] - place, back = place - at[k];
+    if (back == 0.0)
+      return value[k];
+    Vector3d result = (back * value[k + 1] + ahead * value[k]) / h;
+    if (back > 0.0 && ahead > 0.0)
+      result -= back * ahead / 6.0 * ((1.0 + back / h) * second[k + 1] + (1.0 + ahead / h) * second[k]);
     return result;
   }
 };
@@ -98,9 +118,12 @@ struct Spline {
 class SmoothingSpline {
 public:
   SmoothingSpline(const Knots& knots, double length)
-  : knots_(knots), stiffness_(length * length * length * length), n_(knots.at.size()), d_(n_), l1_(n_), l2_(n_),
-    ahead_(n_, Vector3d::Zero())
-  {}
+  : knots_(knots), stiffness_(length * length * length * length), n_(knots.at.size()), inverse_(n_ - 1), penalty_(n_), d_(n_), l1_(n_),
+    l2_(n_), ahead_(n_, Vector3d::Zero())
+  {
+    for (std::size_t k = 0; k + 1 < n_; ++k)
+      inverse_[k] = 1.0 / step(k);
+  }
 
   /** \p changed: one entry a knot, 1 where the weight is new; after it, 1 where the value of \p spline is. */
   void solve(const std::vector<double>& weights, std::vector<std::uint8_t>& changed, Spline& spline)
@@ -108,9 +131,12 @@ public:
     spline.value.resize(n_, Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())); // equal to nothing: all are new at first
     spline.second.resize(n_, Vector3d::Zero());
     std::vector<std::uint8_t> rows(n_, 0); // 1 where the row's part of L D L^T, or of the right side, is new
+    for (std::size_t k = 0; k < n_; ++k)
+      if (changed[k])
+        penalty_[k] = stiffness_ / weights[k];
     for (std::size_t k = 1; k + 1 < n_; ++k)
       if (changed[k - 1] || changed[k] || changed[k + 1] || rows[k - 1] || (k > 1 && rows[k - 2]))
-        rows[k] = eliminate(k, weights);
+        rows[k] = eliminate(k);
     for (std::size_t k = n_ - 1; k-- > 1;)
       if (rows[k] || rows[k + 1] || (k + 2 < n_ && rows[k + 2])) { // from here on 1 where the second derivative is new
         const Vector3d before = spline.second[k];
@@ -127,21 +153,21 @@ public:
         continue;
       Vector3d bend = Vector3d::Zero();
       if (k > 0)
-        bend += (z[k - 1] - z[k]) * inverse(k - 1);
+        bend += (z[k - 1] - z[k]) * inverse_[k - 1];
       if (k + 1 < n_)
-        bend += (z[k + 1] - z[k]) * inverse(k);
+        bend += (z[k + 1] - z[k]) * inverse_[k];
       const Vector3d before = spline.value[k];
-      spline.value[k] = knots_.wanted[k] - penalty(weights[k]) * bend;
+      spline.value[k] = knots_.wanted[k] - penalty_[k] * bend;
       changed[k] = spline.value[k] != before;
     }
   }
 
 private:
   /** Row \p k, of knots 1 to n - 2, of the factors and of L^-1 times the right side. True if one of its numbers is new. */
-  bool eliminate(std::size_t k, const std::vector<double>& weights)
+  bool eliminate(std::size_t k)
   {
-    const double a = inverse(k - 1), c = inverse(k), b = -a - c;
-    const double p = penalty(weights[k - 1]), q = penalty(weights[k]), r = penalty(weights[k + 1]);
+    const double a = inverse_[k - 1], c = inverse_[k], b = -a - c;
+    const double p = penalty_[k - 1], q = penalty_[k], r = penalty_[k + 1];
     double diagonal = (step(k - 1) + step(k)) / 3.0 + a * a * p + b * b * q + c * c * r;
     Vector3d z = a * (knots_.wanted[k - 1] - knots_.wanted[k]) + c * (knots_.wanted[k + 1] - knots_.wanted[k]);
     if (k > 1) {
@@ -154,12 +180,12 @@ private:
     }
     double l1 = 0.0, l2 = 0.0;
     if (k + 2 < n_) {
-      const double next = -c - inverse(k + 1);
+      const double next = -c - inverse_[k + 1];
       double beside = step(k) / 6.0 + b * c * q + next * c * r;
       if (k > 1)
         beside -= l1_[k - 1] * l2_[k - 1] * d_[k - 1];
       l1 = beside / diagonal;
-      l2 = k + 3 < n_ ? c * inverse(k + 1) * r / diagonal : 0.0;
+      l2 = k + 3 < n_ ? c * inverse_[k + 1] * r / diagonal : 0.0;
     }
     const bool is_new = d_[k] != diagonal || l1_[k] != l1 || l2_[k] != l2 || ahead_[k] != z;
     d_[k] = diagonal;
@@ -169,12 +195,11 @@ private:
     return is_new;
   }
   double step(std::size_t k) const { return knots_.at[k + 1] - knots_.at[k]; }
-  double inverse(std::size_t k) const { return 1.0 / step(k); }
-  double penalty(double weight) const { return stiffness_ / weight; }
 
   const Knots& knots_;
   double stiffness_;
   std::size_t n_;
+  std::vector<double> inverse_, penalty_; ///< of the steps; stiffness over weight
   std::vector<double> d_, l1_, l2_;
   Vectors ahead_; ///< L^-1 times the right side
 };
@@ -251,8 +276,8 @@ public:
     bool holds(const std::vector<std::uint8_t>& marked) const { return std::memchr(&marked[first], 1, last - first) != nullptr; }
   };
 
-  SmoothedPart(const Knots& all, const Range& range, double length)
-  : begin_(range.begin), end_(range.end), first_(range.first), knots_(all, range.first, range.last), spline_(knots_, length),
+  SmoothedPart(const KnotsOfPath& all, const Range& range, double length)
+  : all_(all), begin_(range.begin), end_(range.end), first_(range.first), knots_(all, range.first, range.last), spline_(knots_, length),
     along_(knots_, length), deviations_(knots_.at.size()), means_(knots_.at.size(), 0.0)
   {}
 
@@ -270,12 +295,17 @@ public:
     along_.find(deviations_, fresh, means_);
   }
 
-  /** Its spline into that of the whole path. */
-  void store(Spline& whole) const
+  /** The unit values of its spline at its points into \p axes, those of the whole path; where one is almost zero, the wanted axis. */
+  void store(Vectors& axes) const
   {
-    for (std::size_t k = begin_; k < end_; ++k) {
-      whole.value[k] = solved_.value[k - first_];
-      whole.second[k] = solved_.second[k - first_];
+    const std::vector<double>& at = knots_.at;
+    std::size_t k = 0;
+    for (std::size_t i = all_.begin(begin_); i < all_.begin(end_); ++i) {
+      const double place = all_.places()[i];
+      while (k + 2 < at.size() && at[k + 1] <= place)
+        ++k;
+      const Vector3d axis = solved_.between(at, k, place);
+      axes[i] = axis.norm() > 1e-3 ? Vector3d(axis.normalized()) : all_.axes()[i];
     }
   }
 
@@ -302,6 +332,7 @@ public:
   }
 
 private:
+  const KnotsOfPath& all_;
   std::size_t begin_, end_, first_; ///< first_: index of the first of knots_
   Knots knots_;
   SmoothingSpline spline_;
@@ -310,13 +341,17 @@ private:
   std::vector<double> deviations_, means_;
 };
 
-/** By how much a change fades from the first of the knots \p at to each, see fading. */
+/** By how much a change fades from the first knot to each, see fading. */
 std::vector<double>
-fadedAlong(const std::vector<double>& at, double length)
+fadedAlong(const KnotsOfPath& knots, double length)
 {
-  std::vector<double> faded(at.size(), 0.0);
-  for (std::size_t k = 1; k < at.size(); ++k)
-    faded[k] = faded[k - 1] + std::min(steepest, (at[k] - at[k - 1]) / (std::sqrt(2.0) * length));
+  std::vector<double> faded(knots.size(), 0.0);
+  double before = knots.at(0);
+  for (std::size_t k = 1; k < faded.size(); ++k) {
+    const double at = knots.at(k);
+    faded[k] = faded[k - 1] + std::min(steepest, (at - before) / (std::sqrt(2.0) * length));
+    before = at;
+  }
   return faded;
 }
 
@@ -335,16 +370,20 @@ partEnds(const std::vector<double>& faded)
 Vectors
 splineOfAxes(const std::vector<double>& s, const Vectors& wanted, double length, double max_deviation)
 {
-  const Knots knots(s, wanted, closest_knots * length);
-  if (knots.at.size() < 3)
+  const KnotsOfPath knots(s, wanted, closest_knots * length);
+  if (knots.size() < 3)
     return wanted;
-  const std::vector<double> faded = fadedAlong(knots.at, length);
+  const std::vector<double> faded = fadedAlong(knots, length);
   const std::vector<std::size_t> ends = partEnds(faded);
-  const auto count = static_cast<std::int64_t>(ends.size());
+  const auto count = static_cast<std::int64_t>(ends.size()), whole = static_cast<std::int64_t>(knots.size());
   std::vector<std::unique_ptr<SmoothedPart>> parts(ends.size()); // those that exceed the deviation
-  std::vector<double> weights = knots.weight;
-  std::vector<std::uint8_t> changed(knots.at.size(), 1);
-  Spline spline{Vectors(knots.at.size()), Vectors(knots.at.size())};
+  std::vector<double> weights(knots.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t k = 0; k < whole; ++k)
+    weights[k] = knots.weight(k);
+  std::vector<std::uint8_t> changed(knots.size(), 1);
+  Vectors axes;
+  resizeInParallel(axes, s.size());
   bool kept = false;
   for (int round = 0; round < most_rounds && !kept; ++round) {
 #pragma omp parallel for schedule(dynamic)
@@ -355,7 +394,7 @@ splineOfAxes(const std::vector<double>& s, const Vectors& wanted, double length,
       if (!parts[p])
         parts[p] = std::make_unique<SmoothedPart>(knots, range, length);
       parts[p]->solve(weights, changed);
-      parts[p]->store(spline);
+      parts[p]->store(axes);
       if (!parts[p]->exceeds(max_deviation))
         parts[p].reset();
     }
@@ -365,11 +404,6 @@ splineOfAxes(const std::vector<double>& s, const Vectors& wanted, double length,
       if (part)
         kept = part->raise(max_deviation, weights, changed) && kept;
   }
-  Vectors axes = spline.values(knots.at, s);
-  const auto points = static_cast<std::int64_t>(axes.size());
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < points; ++i)
-    axes[i] = axes[i].norm() > 1e-3 ? Vector3d(axes[i].normalized()) : wanted[i];
   return axes;
 }
 

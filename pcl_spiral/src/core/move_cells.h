@@ -53,10 +53,25 @@ public:
   void forBuckets(const Eigen::Vector3d& low, const Eigen::Vector3d& high, const Eigen::Vector3d& inner_low,
                   const Eigen::Vector3d& inner_high, Visit visit) const
   {
+    struct Bucket {
+      const std::uint32_t *first, *last;
+      bool is_inner;
+    };
+    std::array<Bucket, 32> found; // looked up together, then visited: memory answers one while the next is asked for
+    std::size_t count = 0;
+    const auto visitFound = [&] {
+      for (std::size_t i = 0; i < count; ++i)
+        visit(found[i].first, found[i].last, found[i].is_inner);
+      count = 0;
+    };
     const Range inner = rangeOf(inner_low, inner_high);
     forCells(rangeOf(low, high), [&](const Cell& cell, std::size_t bucket) {
-      visit(moves_.data() + begin_[bucket], moves_.data() + begin_[bucket + 1], inner.holds(cell));
+      found[count++] = {moves_.data() + begin_[bucket], moves_.data() + begin_[bucket + 1], inner.holds(cell)};
+      __builtin_prefetch(found[count - 1].last - 1);
+      if (count == found.size())
+        visitFound();
     });
+    visitFound();
   }
 
 private:

@@ -37,25 +37,17 @@ turnedTowards(const Vector3d& from, const Vector3d& to, double angle)
   return (std::cos(angle) * from + std::sin(angle) * side).normalized();
 }
 
-/** Limits the turn on every move. */
+/** Limits the turn on every move to a rate times its length. */
 class RateLimit {
 public:
-  RateLimit(const std::vector<double>& s, double max_rate) : limits_(s.size() - 1), chords_(s.size() - 1)
-  {
-    const auto moves = static_cast<std::int64_t>(limits_.size());
-#pragma omp parallel for schedule(static)
-    for (std::int64_t i = 0; i < moves; ++i) {
-      limits_[i] = std::min(pi, max_rate * (s[i + 1] - s[i]));
-      const double chord = 2.0 * std::sin(0.5 * limits_[i] * (1.0 + rounding));
-      chords_[i] = chord * chord;
-    }
-  }
+  /** \p s: arc lengths, which must live as long as this. */
+  RateLimit(const std::vector<double>& s, double max_rate) : s_(s), max_rate_(max_rate) {}
 
   /** Moves on which the turn is above the limit. */
   std::size_t exceeded(const Vectors& axes) const
   {
     std::size_t count = 0;
-    const auto moves = static_cast<std::int64_t>(limits_.size());
+    const auto moves = static_cast<std::int64_t>(s_.size()) - 1;
 #pragma omp parallel for schedule(static) reduction(+ : count)
     for (std::int64_t i = 0; i < moves; ++i)
       count += exceeds(i, axes[i], axes[i + 1]);
@@ -79,26 +71,37 @@ public:
   }
 
 private:
+  double limit(std::size_t move) const
+  {
+    return std::min(pi, max_rate_ * (s_[move + 1] - s_[move]));
+  }
+
+  /** Compares chords of the unit circle: 2 sin(x) at half the limit, which is at least 2 (x - x^3 / 6). Most turns are below that. */
   bool exceeds(std::size_t move, const Vector3d& a, const Vector3d& b) const
   {
-    return (b - a).squaredNorm() > chords_[move] + 1e-24;
+    const double x = 0.5 * limit(move), turn = (b - a).squaredNorm(), least = 2.0 * x * (1.0 - x * x / 6.0);
+    if (turn < least * least)
+      return false;
+    const double chord = 2.0 * std::sin(x * (1.0 + rounding));
+    return turn > chord * chord + 1e-24;
   }
 
   void forward(Vectors& axes) const
   {
     for (std::size_t i = 1; i < axes.size(); ++i)
       if (exceeds(i - 1, axes[i - 1], axes[i]))
-        axes[i] = turnedTowards(axes[i - 1], axes[i], limits_[i - 1]);
+        axes[i] = turnedTowards(axes[i - 1], axes[i], limit(i - 1));
   }
 
   void backward(Vectors& axes) const
   {
     for (std::size_t i = axes.size() - 1; i-- > 0;)
       if (exceeds(i, axes[i], axes[i + 1]))
-        axes[i] = turnedTowards(axes[i + 1], axes[i], limits_[i]);
+        axes[i] = turnedTowards(axes[i + 1], axes[i], limit(i));
   }
 
-  std::vector<double> limits_, chords_; ///< chords squared
+  const std::vector<double>& s_;
+  double max_rate_;
 };
 
 void
@@ -113,24 +116,61 @@ check(const Polyline& points, const Vectors& wanted, const AxisFieldOptions& opt
     throw std::invalid_argument("smoothAxes: the deviation must be above 0");
 }
 
+/** The square of the chord of \p angle on the unit circle. */
+double
+squaredChord(double angle)
+{
+  const double half = std::sin(0.5 * std::min(angle, pi));
+  return 4.0 * half * half;
+}
+
+/** The largest values at a block of points. Angles are compared by their chords, and computed only where they may be larger. */
+struct LargestAngles {
+  double deviation = 0.0, change = 0.0, rate = 0.0;
+  std::size_t deviating = 0;
+
+  LargestAngles(const std::vector<double>& s, const Vectors& wanted, const Vectors& axes, std::size_t begin, std::size_t end,
+                double allowed_chord)
+  {
+    double deviation_chord = 0.0, change_chord = 0.0;
+    const auto take = [](const Vector3d& a, const Vector3d& b, double chord, double& largest_chord, double& largest) {
+      if (chord * (1.0 + rounding) < largest_chord)
+        return;
+      largest_chord = std::max(largest_chord, chord);
+      largest = std::max(largest, angleBetween(a, b));
+    };
+    for (std::size_t i = begin; i < end; ++i) {
+      const double deviating_chord = (axes[i] - wanted[i]).squaredNorm();
+      take(axes[i], wanted[i], deviating_chord, deviation_chord, deviation);
+      deviating += deviating_chord > allowed_chord;
+      if (i == 0)
+        continue;
+      const double chord = (axes[i] - axes[i - 1]).squaredNorm(), step = s[i] - s[i - 1];
+      take(axes[i - 1], axes[i], chord, change_chord, change);
+      const double most = 1.0 + 0.15 * chord, fast = rate * step; // no angle is more than so many times its chord
+      if (step > 0.0 && chord * most * most > fast * fast)
+        rate = std::max(rate, angleBetween(axes[i - 1], axes[i]) / step);
+    }
+  }
+};
+
 void
 measure(const std::vector<double>& s, const Vectors& wanted, double max_deviation, SmoothAxes& result)
 {
+  constexpr std::size_t together = 4096; // points; the same for any number of threads
   const Vectors& axes = result.axes;
-  const auto n = static_cast<std::int64_t>(axes.size());
+  const auto blocks = static_cast<std::int64_t>((axes.size() + together - 1) / together);
+  const double allowed_chord = max_deviation < pi ? squaredChord(max_deviation) : 5.0; // more than any
   double largest_deviation = 0.0, largest_change = 0.0, largest_rate = 0.0;
   std::size_t deviating = 0;
 #pragma omp parallel for schedule(static) reduction(max : largest_deviation, largest_change, largest_rate) reduction(+ : deviating)
-  for (std::int64_t i = 0; i < n; ++i) {
-    const double deviation = angleBetween(axes[i], wanted[i]);
-    largest_deviation = std::max(largest_deviation, deviation);
-    deviating += deviation > max_deviation;
-    if (i == 0)
-      continue;
-    const double turn = angleBetween(axes[i - 1], axes[i]), step = s[i] - s[i - 1];
-    largest_change = std::max(largest_change, turn);
-    if (step > 0.0)
-      largest_rate = std::max(largest_rate, turn / step);
+  for (std::int64_t block = 0; block < blocks; ++block) {
+    const std::size_t begin = block * together;
+    const LargestAngles of(s, wanted, axes, begin, std::min(axes.size(), begin + together), allowed_chord);
+    largest_deviation = std::max(largest_deviation, of.deviation);
+    largest_change = std::max(largest_change, of.change);
+    largest_rate = std::max(largest_rate, of.rate);
+    deviating += of.deviating;
   }
   result.largest_deviation = largest_deviation;
   result.deviating_points = deviating;
@@ -158,7 +198,8 @@ movesTurningFaster(const Polyline& points, const Vectors& directions, double max
 {
   if (points.size() < 2 || max_rate <= 0.0)
     return 0;
-  return RateLimit(arcLengths(points), max_rate).exceeded(directions);
+  const std::vector<double> s = arcLengths(points);
+  return RateLimit(s, max_rate).exceeded(directions);
 }
 
 AxisLean

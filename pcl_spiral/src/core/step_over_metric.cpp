@@ -8,12 +8,24 @@
 #include <algorithm>
 
 namespace pcl_spiral {
+
 double
 longestStepOver(const StepOverMetric& metric)
 {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(metric.matrix(), Eigen::EigenvaluesOnly);
   return 1.0 / std::sqrt(std::max(solver.eigenvalues()[0], 1e-12));
+}
+
+double
+longestStepOverBound(const StepOverMetric& metric)
+{
+  constexpr double rounding = 1e-6; // of the determinant: eigenvalues differ by less than a factor of a thousand
+  const Eigen::Matrix3d g = metric.matrix();
+  const double determinant = g.determinant(), trace = g.trace(), minors = 0.5 * (trace * trace - g.squaredNorm());
+  const double root = std::sqrt(std::max(0.0, 4.0 * minors * minors - 12.0 * trace * determinant));
+  const double least = 3.0 * determinant / (minors + root);
+  return 1.0 / std::sqrt(std::max((1.0 - rounding) * least, 1e-12));
 }
 
 StepOverMetric

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tilted_axes.h"
 
+#include <pcl_spiral/core/impl/parallel_resize.h>
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -99,7 +101,8 @@ tiltedAxes(const Polyline& points, const Vectors& normals, double side_tilt, dou
     throw std::invalid_argument("tiltedAxes: side tilt and lead must be under 90 degrees");
   checkSizes(points, normals);
   const Tilt tilt(side_tilt, lead);
-  Vectors axes(points.size());
+  Vectors axes;
+  resizeInParallel(axes, points.size());
   forEachFeed(points, normals, [&](std::size_t i, const Vector3d& feed) { axes[i] = tilt.axis(normals[i], feed); });
   return axes;
 }

@@ -100,8 +100,12 @@ private:
   {
     if (h == Triangulation::none)
       return none;
-    const std::uint32_t* at = std::lower_bound(begin_, end_, h / 3);
-    return at != end_ && *at == h / 3 ? static_cast<std::size_t>(at - begin_) : none;
+    const std::uint32_t* at = begin_; // the last that is not beyond the triangle; halved without branches, which could not be foreseen
+    for (std::size_t count = end_ - begin_, half; count > 1; count -= half) {
+      half = count / 2;
+      at += at[half] <= h / 3 ? half : 0;
+    }
+    return *at == h / 3 ? static_cast<std::size_t>(at - begin_) : none;
   }
   LevelLine follow(std::size_t first)
   {

@@ -13,6 +13,7 @@ namespace {
 constexpr double longest_piece = 2.0; // in mean lengths: at most half as many pieces again as segments
 constexpr std::size_t alone = 4096;   // pieces that one thread puts into boxes; only speed: the boxes are the same
 constexpr std::size_t together = 4;   // pieces of a group
+constexpr float rounding = 1.2e-7f;   // of a coordinate, at least the next number in single precision
 
 } // namespace
 
@@ -60,8 +61,9 @@ MoveIndex::pieces() const
         const Eigen::Vector3f q = (a + d * (static_cast<double>(k + 1) / static_cast<double>(count))).cast<float>();
         result[next].move = static_cast<std::uint32_t>(i);
         for (int axis = 0; axis < 3; ++axis) {
-          result[next].box.low[axis] = std::nextafter(std::min(p[axis], q[axis]), -1e30f);
-          result[next].box.high[axis] = std::nextafter(std::max(p[axis], q[axis]), 1e30f);
+          const float low = std::min(p[axis], q[axis]), high = std::max(p[axis], q[axis]);
+          result[next].box.low[axis] = low - rounding * std::abs(low);
+          result[next].box.high[axis] = high + rounding * std::abs(high);
         }
       }
     }

@@ -116,6 +116,15 @@ outlinesOf(const std::vector<BoundaryLoop>& loops)
   return outlines;
 }
 
+/** What coverPath does not look at is dropped: it needs the places of the nodes, the corners of the triangles and where they are fine. */
+void
+keepForCoverage(StepOverDistance& field)
+{
+  field.mesh.triangles = Triangulation(std::move(field.mesh.triangles).release(), {}, {}, {});
+  field.mesh.normals = std::vector<Eigen::Vector3f>();
+  field.distance = std::vector<double>();
+}
+
 StepOverOptions
 optionsOf(const SpiralSettings& settings)
 {
@@ -230,7 +239,7 @@ planConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>&
   const ProgressCallback rest = partOf(progress, 0.3, 1.0);
   if (!makeScallopLoops(field, partOf(rest, 0.0, 0.4), set))
     return {StatusCode::Cancelled, "cancelled"};
-  field.mesh.triangles = Triangulation(std::move(field.mesh.triangles).release(), {}, {}, {}); // the path needs only their corners
+  keepForCoverage(field);
   LinkedPath path;
   if (const Status status = linkOnField(&field, std::move(set.loops), settings, rest, clock, path, figures); !status.ok())
     return status;

@@ -49,6 +49,19 @@ TEST(StepOverMetric, WhereTheBallHardlyFitsStepOversAreAtMostThoseOfATwentieth)
   EXPECT_NEAR(longest(-3.0), flat, 1e-3);                     // a crevice, as a plane
 }
 
+TEST(StepOverMetric, TheBoundOfTheLongestIsNearIt)
+{
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vector3d(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+  for (const double scale : {1e-3, 1.0, 1e3})
+    for (double b = 1.0; b < 500.0; b *= 1.3)
+      for (double c = b; c < 500.0; c *= 1.3) {
+        const StepOverMetric metric(Eigen::Matrix3d(scale * turn * Vector3d(1.0, b, c).asDiagonal() * turn.transpose()));
+        const double exact = longestStepOver(metric), bound = longestStepOverBound(metric);
+        ASSERT_GE(bound, exact * (1.0 - 1e-12)) << scale << ' ' << b << ' ' << c;
+        ASSERT_LT(bound, exact * 1.1548) << scale << ' ' << b << ' ' << c;
+      }
+}
+
 TEST(StepOverMetric, MeansAreWeighted)
 {
   const StepOverMetric a(Eigen::Matrix3d::Identity()), b(Eigen::Matrix3d(4.0 * Eigen::Matrix3d::Identity()));

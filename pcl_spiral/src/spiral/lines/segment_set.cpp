@@ -31,7 +31,7 @@ SegmentSet::nearest(const Eigen::Vector3d& p, const StepOverMetric& metric, doub
   best.distance = within;
   if (points_.empty())
     return best;
-  const double widest = longestStepOver(metric);
+  const double widest = longestStepOverBound(metric);
   index_->search(
       p, [&] { return best.segment == NearestSegment::none || best.distance > enough ? best.distance * widest : 0.0; },
       [&](std::size_t s) {

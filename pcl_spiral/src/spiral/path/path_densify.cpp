@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_densify.h"
 
+#include <pcl_spiral/core/impl/parallel_resize.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>
@@ -35,8 +36,8 @@ densify(const std::vector<std::uint8_t>& near, double held, double grain, Linked
   }
   places.back() = all;
   LinkedPath dense;
-  dense.points.resize(all);
-  dense.metric.resize(all);
+  resizeInParallel(dense.points, all);
+  resizeInParallel(dense.metric, all);
   dense.reversed.resize(all);
   dense.turns.resize(all);
   moves.resize(all);

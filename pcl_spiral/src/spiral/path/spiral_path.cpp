@@ -10,6 +10,7 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
+#include <pcl_spiral/core/impl/parallel_resize.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
 
@@ -121,8 +122,8 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const CurveFeet* known, cons
   if (const Status status = checkGiven(curve.size(), "the curve"); !status.ok())
     return status;
   TightPlaces tight(settings.tool_radius);
-  path.contacts.resize(curve.size());
-  path.normals.resize(curve.size());
+  resizeInParallel(path.contacts, curve.size());
+  resizeInParallel(path.normals, curve.size());
   path.turns.resize(curve.size());
   path.over_gap.resize(curve.size());
   path.passes.clear();

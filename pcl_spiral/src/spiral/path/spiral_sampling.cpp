@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pcl_spiral/core/impl/parallel_resize.h>
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
 
 #include <algorithm>
@@ -174,7 +175,8 @@ SpiralCurve::sample() const
   for (std::int64_t i = 0; i < stretch_count; ++i)
     forEachPoint(i, [&](std::size_t, double) { ++starts[i + 1]; });
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  std::vector<SpiralPoint> points(starts.back() + 1);
+  std::vector<SpiralPoint> points;
+  resizeInParallel(points, starts.back() + 1);
 #pragma omp parallel for schedule(dynamic, 16)
   for (std::int64_t i = 0; i < stretch_count; ++i) {
     std::size_t place = starts[i];
