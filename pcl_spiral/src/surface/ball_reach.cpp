@@ -23,6 +23,8 @@ constexpr double widest_void = 6.0;     // spacings: twice the largest circle wi
 constexpr int widest_search = 4;        // of the fit in a void, as for the path there
 constexpr int most_shrinks = 40;        // of the ball at one foot; a few are usual
 constexpr double settled = 1e-4;        // of the radius: the ball shrinks no more
+constexpr std::size_t sample = 4096;    // points that tell whether too few are reached
+constexpr double surely = 5.0;          // standard deviations of a share of the sample, at most 0.5 / sqrt(size)
 
 /** Area about each point: a third of its triangles; without triangles the square of its spacing. */
 std::vector<float>
@@ -66,8 +68,8 @@ reachTolerance(const MlsSurface& fit, double least)
 }
 
 BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles,
-                     const std::vector<SurfacePatch>& beyond)
-: graph_(graph), fit_(fit), size_(graph.size()), radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)),
+                     const std::vector<SurfacePatch>& beyond, double least_reached)
+: graph_(graph), fit_(fit), size_(graph.size()), looked_(size_), radius_(radius), tolerance_(std::min(tolerance, 0.1 * radius)),
   own_(own_spacings * graph.spacing()), own_tolerance_(std::max(own_deviations / fit_deviations * tolerance_, own_steps * graph.spacing())),
   side_(graph.meanNormal())
 {
@@ -91,8 +93,8 @@ BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double ra
     beyond_ = PointBlocks(std::move(feet));
   }
   setObstacles(obstacles);
-  findUnreached();
-  if (!unreached_.empty()) {
+  findUnreached(least_reached);
+  if (looked_ == size_ && !unreached_.empty()) {
     coverVoids();
     averageNormals();
   }
@@ -241,25 +243,42 @@ BallReach::fitPatches(const std::vector<SurfacePatch>& beyond, std::vector<float
 }
 
 void
-BallReach::findUnreached()
+BallReach::findUnreached(double least_reached)
 {
-  const auto size = static_cast<std::int64_t>(graph_.size());
-  std::vector<float> reaches(graph_.size());
-  std::vector<std::uint8_t> covered(graph_.size());
   const std::vector<std::uint8_t> empty = emptyBalls();
-#pragma omp parallel for schedule(dynamic, 1024)
-  for (std::int64_t i = 0; i < size; ++i) {
-    reaches[i] = static_cast<float>(empty[patches_.place[i]] ? radius_ : reach(position(i), normal(i)));
-    covered[i] = isCovered(i);
+  if (size_ > 2 * sample && least_reached > 0.0) {
+    lookAt(size_ / sample, empty);
+    const auto tight = std::count_if(unreached_.begin(), unreached_.end(),
+                                     [this](const UnreachedPoint& point) { return point.reach < static_cast<float>(radius_); });
+    const auto all = static_cast<double>(looked_), reached = 1.0 - static_cast<double>(tight) / all;
+    if (reached + surely * 0.5 / std::sqrt(all) < least_reached)
+      return;
+  }
+  lookAt(1, empty);
+}
+
+void
+BallReach::lookAt(std::size_t every, const std::vector<std::uint8_t>& empty)
+{
+  looked_ = (size_ + every - 1) / every;
+  const auto count = static_cast<std::int64_t>(looked_);
+  std::vector<float> reaches(looked_);
+  std::vector<std::uint8_t> covered(looked_);
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::int64_t k = 0; k < count; ++k) {
+    const std::size_t i = k * every;
+    reaches[k] = static_cast<float>(empty[patches_.place[i]] ? radius_ : reach(position(i), normal(i)));
+    covered[k] = isCovered(i);
   }
   const auto whole = static_cast<float>(radius_);
   std::vector<float> areas;
   std::vector<Eigen::Vector3f> places;
-  for (std::size_t i = 0; i < reaches.size(); ++i)
-    if (reaches[i] < whole || covered[i] != 0) {
+  unreached_.clear();
+  for (std::size_t k = 0; k < looked_; ++k)
+    if (const std::size_t i = k * every; reaches[k] < whole || covered[k] != 0) {
       if (areas.empty())
         areas = pointAreas(graph_);
-      unreached_.push_back({static_cast<std::uint32_t>(i), reaches[i], areas[i], covered[i] != 0});
+      unreached_.push_back({static_cast<std::uint32_t>(i), reaches[k], areas[i], covered[k] != 0});
       places.push_back(patches().feet.point(patches().place[i]));
     }
   unreached_feet_ = PointBlocks(std::move(places));

@@ -240,6 +240,36 @@ TEST(BallReach, LooksCloselyWhereverTheBallDoesNotReachAll)
 }
 
 /** What is cut off and not reached is the same whether all points are fitted, as with an obstacle, or only where it may be needed. */
+/** \p count points of a bowl of \p radius, up to 70 degrees from its bottom. */
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+bowl(std::size_t count, double radius)
+{
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = 2.399963229728653 * static_cast<double>(i); // the golden angle: even by area
+    const double z = -1.0 + 0.658 * (static_cast<double>(i) + 0.5) / static_cast<double>(count), r = std::sqrt(1.0 - z * z);
+    cloud->push_back(pcl::PointXYZ(static_cast<float>(radius * r * std::cos(angle)), static_cast<float>(radius * r * std::sin(angle)),
+                                   static_cast<float>(radius * z)));
+  }
+  return cloud;
+}
+
+TEST(BallReach, LooksAtFewPointsWhereTheBallSurelyReachesTooFew)
+{
+  const auto surface = surfaceOf(bowl(20000, 20.0));
+  const auto reachOf = [&surface](double radius, double least) {
+    return BallReach(surface->graph(), surface->fit(), radius, reachTolerance(surface->fit(), 0.0005), {}, {}, least);
+  };
+  const BallReach few = reachOf(25.0, 0.5);
+  EXPECT_LT(few.looked(), 6000u);
+  EXPECT_GT(few.looked(), 4000u);
+  EXPECT_EQ(few.unreached().size(), few.looked());
+  for (const UnreachedPoint& point : few.unreached())
+    ASSERT_NEAR(point.reach, 20.0, 0.6) << point.index;
+  for (const BallReach& all : {reachOf(15.0, 0.5), reachOf(25.0, 0.0)})
+    EXPECT_EQ(all.looked(), surface->size());
+}
+
 TEST(BallReach, CountsAllPointsCutOffAtTheEdgeOfARoof)
 {
   std::size_t most = 0;

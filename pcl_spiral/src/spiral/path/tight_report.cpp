@@ -149,15 +149,17 @@ checkRidden(const Surface& surface, const SpiralSettings& settings)
   return checkRideHeight(surface.clusters(), settings.tool_radius);
 }
 
+namespace {
+
 std::unique_ptr<BallReach>
-makeReach(const Surface& surface, const SpiralSettings& settings, const std::vector<SurfacePatch>& beyond)
+reachOf(const Surface& surface, const SpiralSettings& settings, const std::vector<SurfacePatch>& beyond, double least)
 {
   const std::optional<HeightGrid>& heights = surface.settings().heights;
   if (settings.tight == TightHandling::Refuse || (heights && heights->isReachedBy(settings.tool_radius)))
     return nullptr;
   auto reach = std::make_unique<BallReach>(
       surface.graph(), surface.fit(), settings.tool_radius, reachTolerance(surface.fit(), reach_share * settings.chord_error),
-      BallObstacles{surface.riddenPoints(), ride_share * settings.chord_error + edge_share * surface.spacing()}, beyond);
+      BallObstacles{surface.riddenPoints(), ride_share * settings.chord_error + edge_share * surface.spacing()}, beyond, least);
   reach->addMissed(surface.fit(), surface.isolatedPoints(), surface.spacing());
   return reach;
 }
@@ -170,7 +172,7 @@ checkReach(const BallReach* reach)
   std::vector<UnreachedPoint> tight;
   std::copy_if(reach->unreached().begin(), reach->unreached().end(), std::back_inserter(tight),
                [reach](const UnreachedPoint& point) { return point.reach < static_cast<float>(reach->radius()); });
-  const auto all = static_cast<double>(reach->size());
+  const auto all = static_cast<double>(reach->looked());
   const double reached = 1.0 - static_cast<double>(tight.size()) / all;
   if (reached >= least_reached)
     return Status::success();
@@ -181,6 +183,25 @@ checkReach(const BallReach* reach)
           Diagnostic("a ball of radius ", reach->radius(), " {mm} reaches only ", 100.0 * reached, " % of the surface; at ",
                      Place(reach->position(tight.front().index)), " only one of ", tight.front().reach, " {mm} fits. Use a ball of radius ",
                      surely * tight[missed].reach, " {mm} or less, which reaches nine tenths of it ({setToolRadius})")};
+}
+
+} // namespace
+
+std::unique_ptr<BallReach>
+makeReach(const Surface& surface, const SpiralSettings& settings, const std::vector<SurfacePatch>& beyond)
+{
+  return reachOf(surface, settings, beyond, 0.0);
+}
+
+Status
+makeReach(const Surface& surface, const SpiralSettings& settings, const std::vector<SurfacePatch>& beyond,
+          std::unique_ptr<BallReach>& reach)
+{
+  reach = reachOf(surface, settings, beyond, least_reached);
+  Status status = checkReach(reach.get());
+  if (!status.ok())
+    reach.reset();
+  return status;
 }
 
 void

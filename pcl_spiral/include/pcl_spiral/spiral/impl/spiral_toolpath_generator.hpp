@@ -89,8 +89,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
       return status;
     report_.loops = given_loops_;
     reportNoise(*surface, settings_, report_);
-    reach = makeReach(*surface, settings_, beyond_);
-    const Status reached = checkReach(reach.get());
+    const Status reached = makeReach(*surface, settings_, beyond_, reach);
     return reached.ok() ? makeOnLines(surface, *given_lines_, clock, attempt) : reached;
   }
   std::vector<BoundaryLoop> loops;
@@ -98,8 +97,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeCurve(Surface::ConstP
     return status;
   attempt.plan.boundaries = report_.boundaries;
   clock.end("boundaries");
-  reach = makeReach(*surface, settings_, beyond_);
-  if (const Status status = checkReach(reach.get()); !status.ok())
+  if (const Status status = makeReach(*surface, settings_, beyond_, reach); !status.ok())
     return status;
   clock.end("reach of the ball");
   if (!given_parts_.empty())

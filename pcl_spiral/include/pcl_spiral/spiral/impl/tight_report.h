@@ -20,9 +20,10 @@ Status checkRidden(const Surface& surface, const SpiralSettings& settings);
 /** Reach of the ball of \p settings on \p surface, which continues in the patches \p beyond; null with TightHandling::Refuse. */
 std::unique_ptr<BallReach> makeReach(const Surface& surface, const SpiralSettings& settings, const std::vector<SurfacePatch>& beyond = {});
 
-/** Ok, or an error if \p reach misses more than half of the points: that is the wrong cutter for the part, or the wrong unit. Names the
- *  tightest place and the radius that reaches nine tenths of the points. Ok for null. */
-Status checkReach(const BallReach* reach);
+/** The same into \p reach. Or an error, and null, if it misses more than half of the points: that is the wrong cutter for the part, or
+ *  the wrong unit. Names the tightest place and the radius that reaches nine tenths of the points. */
+Status makeReach(const Surface& surface, const SpiralSettings& settings, const std::vector<SurfacePatch>& beyond,
+                 std::unique_ptr<BallReach>& reach);
 
 /** Places of \p reach where more than the scallop height stays, lifts of \p path, and reversals of the ball there (ballReversals), with
  *  warnings. */

@@ -48,9 +48,10 @@ struct BallObstacles {
 class BallReach {
 public:
   /** Shares the points of \p graph and \p fit. \p tolerance, mm: depth that counts as noise of the surface. \p beyond: the surface
-   *  beside that of the graph, see surfaceBeyond. */
+   *  beside that of the graph, see surfaceBeyond. \p least_reached: where the ball surely reaches a smaller share of the points than
+   *  this, not all of them are looked at, see looked(): a ball as hollow as the part touches almost all points from each. */
   BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles = {},
-            const std::vector<SurfacePatch>& beyond = {});
+            const std::vector<SurfacePatch>& beyond = {}, double least_reached = 0.0);
 
   /** Gives up the points of the surface: from now on no patch is fitted any more. */
   void dropSurface();
@@ -59,6 +60,8 @@ public:
   double tolerance() const { return tolerance_; } ///< As given, mm.
 
   std::size_t size() const { return size_; } ///< Points of the graph.
+  /** Points that were looked at: all, or, where the share reached is too small, a few thousand spread evenly over them. */
+  std::size_t looked() const { return looked_; }
   /** Points that the ball does not reach, in the order of the graph. */
   const std::vector<UnreachedPoint>& unreached() const { return unreached_; }
   /** Points that the fit cuts off. */
@@ -121,7 +124,9 @@ private:
   const Patches& patches() const;
   Patches fitPatches(const std::vector<SurfacePatch>& beyond, std::vector<float>& heights) const;
   static Patch patchOf(const SurfaceFoot& foot, double extent);
-  void findUnreached();
+  void findUnreached(double least_reached);
+  /** Looks at one point in \p every and keeps those that the ball does not reach. */
+  void lookAt(std::size_t every, const std::vector<std::uint8_t>& empty);
   /** For each foot, whether the ball there is so far from all feet, by the widths of their patches, that none is in it. */
   std::vector<std::uint8_t> emptyBalls() const;
   void averageNormals();
@@ -146,7 +151,7 @@ private:
 
   SurfaceGraph graph_; ///< without triangles once it is made
   std::optional<MlsSurface> fit_;
-  std::size_t size_;
+  std::size_t size_, looked_;
   double radius_, tolerance_;
   double own_, own_tolerance_; // mm: radius about a foot, and the depth that counts as noise there
   MissedPoints missed_;
