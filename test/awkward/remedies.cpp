@@ -69,11 +69,14 @@ addExtents(const std::string& said, const std::string& prefix, const ScratchFold
     remedies.push_back(remedy);
 }
 
-/** What is said of clusters: ride over them, or polygons about them. */
+/** What is said of clusters: ride over them, if the ball is as large as it must be, or polygons about them. */
 void
-addClusters(const std::string& said, const std::string& prefix, const ScratchFolder& folder, std::vector<Remedy>& remedies)
+addClusters(const Scene& scene, const std::string& said, const std::string& prefix, const ScratchFolder& folder,
+            std::vector<Remedy>& remedies)
 {
-  remedies.push_back({"--clusters ride", {"--clusters", "ride"}});
+  const std::vector<std::smatch> radius = matches(said, "with a ball of radius " + number + " mm or more");
+  if (radius.empty() || scene.radius >= std::stod(radius.front()[1]))
+    remedies.push_back({"--clusters ride", {"--clusters", "ride"}});
   if (!std::regex_search(said, std::regex("and [0-9]+ more")))
     addExtents(said, prefix, folder, remedies);
 }
@@ -109,7 +112,7 @@ remediesOf(const Scene& scene, const std::vector<std::string>& arguments, const 
   if (names("(--part-at)"))
     addPartAt(scene, said, remedies);
   if (names("--clusters ride"))
-    addClusters(said, prefix, folder, remedies);
+    addClusters(scene, said, prefix, folder, remedies);
   else if (names("(--keep-out)"))
     addExtents(said, prefix, folder, remedies);
   if (names("enlarge the polygon there by that much (--keep-out)"))

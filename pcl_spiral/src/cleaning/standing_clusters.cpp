@@ -22,6 +22,7 @@ namespace {
 constexpr double link = 2.0;           // spacings
 constexpr double loose_link = 6.0;     // spacings: of points that stand far apart for their cluster
 constexpr std::size_t least_patch = 2; // points
+constexpr double safe = 0.5;           // of the ball's radius: 1 - sin(30 degrees)
 
 /** Height of a point over the surface. */
 struct Height {
@@ -250,6 +251,17 @@ joinToClusters(const std::vector<StandingCluster>& groups, double reach, std::ve
   }
 }
 
+/** Radius of the smallest ball that may ride over all \p clusters, see checkRideHeight, to a tenth of a mm; 0: any may. */
+double
+leastRidingRadius(const std::vector<StandingCluster>& clusters)
+{
+  double highest = 0.0;
+  for (const StandingCluster& cluster : clusters)
+    if (cluster.hides_surface)
+      highest = std::max(highest, cluster.height);
+  return 0.1 * std::ceil(10.0 * highest / safe);
+}
+
 } // namespace
 
 StandingPoints
@@ -321,8 +333,8 @@ clustersText(const std::vector<StandingCluster>& clusters, double spacing)
 Status
 refusalOf(const std::vector<StandingCluster>& clusters, double spacing)
 {
-  const bool hide = std::any_of(clusters.begin(), clusters.end(), [](const StandingCluster& cluster) { return cluster.hides_surface; });
   const bool line = std::all_of(clusters.begin(), clusters.end(), [&](const StandingCluster& cluster) { return isLine(cluster, spacing); });
+  const double least = leastRidingRadius(clusters);
   return {
       StatusCode::InvalidInput,
       Diagnostic(
@@ -331,9 +343,10 @@ refusalOf(const std::vector<StandingCluster>& clusters, double spacing)
                  "is no part and scan again"
                : "take it off and scan again",
           ", keep the cutter out of there ({addKeepOut}), ", line ? "or " : "",
-          "ride over it ({setClusterHandling(ClusterHandling::Ride)})", hide ? " with a ball of at least twice its height as radius" : "",
+          "ride over it ({setClusterHandling(ClusterHandling::Ride)})",
+          least > 0.0 ? Diagnostic(" with a ball of radius ", least, " {mm} or more") : "",
           line ? "" : ", or leave the points out if they are false echoes ({setClusterHandling(ClusterHandling::LeaveOut)})",
-          hide ? "; if they stand on a table or on another part, give a place on the part to be machined ({setPartAt})" : "")};
+          least > 0.0 ? "; if they stand on a table or on another part, give a place on the part to be machined ({setPartAt})" : "")};
 }
 
 bool
@@ -364,7 +377,6 @@ isLine(const StandingCluster& cluster, double spacing)
 Status
 checkRideHeight(const std::vector<StandingCluster>& clusters, double radius)
 {
-  constexpr double safe = 0.5; // of the radius: 1 - sin(30 degrees)
   for (const StandingCluster& cluster : clusters)
     if (cluster.hides_surface && cluster.height > safe * radius)
       return {

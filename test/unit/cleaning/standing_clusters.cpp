@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clusters that stand on a dome are found with their place and height; single echoes go without a word more.
+#include "cleaning/standing_clusters.h"
+
 #include <pcl_spiral/io/cloud_reader.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
@@ -8,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -183,6 +187,12 @@ TEST(StandingClusters, AThingThatHidesTheSurfaceIsOneClusterOfAllItsPoints)
     }
     EXPECT_EQ(points, 49U) << height;
     EXPECT_GE(hiding, 1U);
+    const std::string said = statusOf(cloud).message();
+    const std::size_t at = said.find("with a ball of radius ");
+    ASSERT_NE(at, std::string::npos) << said;
+    const double radius = std::atof(said.c_str() + at + std::strlen("with a ball of radius "));
+    EXPECT_TRUE(checkRideHeight(surface->clusters(), radius).ok()) << said;
+    EXPECT_FALSE(checkRideHeight(surface->clusters(), radius - 0.2).ok()) << said;
   }
 }
 
