@@ -2,6 +2,7 @@
 #include "errors.h"
 
 #include "common/formatted_text.h"
+#include "core/given_together.h"
 
 #include <pybind11/stl.h>
 
@@ -33,6 +34,7 @@ Words::Words(Vocabulary given, const ReadOptions& given_read) : vocabulary(std::
 {
   if (read.unit != LengthUnit::Millimetre || !read.origin.isZero())
     vocabulary.place = [given_read](const Eigen::Vector3d& place) { return placeText(shown(place, given_read)); };
+  vocabulary.words.insert({{between_settings, ", "}, {betweenValues("addKeepOut"), " + "}}); // a keyword is given once
   vocabulary.given = [given_read](const Proposed::Value& value) { return pythonText(value, given_read); };
 }
 

@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parts.h"
 
+#include "core/given_together.h"
 #include "planning/pass_defaults.h"
 
 namespace pcl_spiral::python {
+namespace {
+
+/** The polygons of \p list as Python has them: rows of corners, or names of files. */
+std::string
+polygonsText(const py::list& list)
+{
+  py::list shown;
+  for (const py::handle one : list)
+    shown.append(py::hasattr(one, "tolist") ? one.attr("tolist")() : py::reinterpret_borrow<py::object>(one));
+  return py::str(py::repr(shown));
+}
+
+} // namespace
+
 const std::vector<Input> holder_input{
     {"holder",
      "Sequence[Sequence[float]]",
@@ -67,6 +82,8 @@ Call::begin(Keywords& keywords, const py::dict& given, const py::object& points,
     scan = scanOf(points, keywords, units, words, normals);
   if (scan.mesh)
     vocabulary.words.insert({{"scan", "mesh"}, {"cloud", "mesh"}, {"scanned surface", "surface"}, {"on the scan", "on the mesh"}});
+  if (const py::list keep_outs = keywords.list("keep_outs"); !keep_outs.empty()) // more of them do not replace these
+    vocabulary.words.emplace(beforeValues("addKeepOut"), "keep_outs=" + polygonsText(keep_outs) + " + ");
   words = {vocabulary, units.options(scan.shift)};
   keywords.readPlaces(words.read);
   scan.asked_view_point = surface.view_point;

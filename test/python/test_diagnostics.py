@@ -79,3 +79,25 @@ def test_a_change_that_helps_is_written_as_python_takes_it():
     assert change, str(error.value)
     path = pcl_spiral.spiral(points, **settings, **eval(f"dict({change[1]})"))
     assert len(path.contact) > 100
+
+
+def test_further_keep_outs_are_written_with_those_that_were_given(tmp_path):
+    def block(x, y):
+        u, v = np.meshgrid(np.arange(-3, 3.1, 0.6), np.arange(-3, 3.1, 0.6))
+        return np.column_stack([x + u.ravel(), y + v.ravel(), np.full(u.size, 12.0)])
+
+    places = np.array([(27, 0), (-27, 0), (0, 27), (0, -27)])
+    part = cap(4000)
+    hidden = (abs(part[:, None, :2] - places) < 3.3).all(axis=2).any(axis=1)
+    points = np.concatenate([part[~hidden]] + [block(*place) for place in places])
+    about = [place + 5 * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) for place in places[:2]]
+    np.savetxt(tmp_path / "keep out.txt", about[1])
+    settings = {"tool_radius": 4, "scallop": 0.2, "part_at": (0, 0, 5)}
+    for given in ([], [about[0]], [about[0], tmp_path / "keep out.txt"]):
+        with pytest.raises(pcl_spiral.Error) as error:
+            pcl_spiral.spiral(points, keep_outs=given, **settings)
+        change = re.search(r"one gives a path of .*: (keep_outs=.*)$", str(error.value))
+        assert change, str(error.value)
+        changed = eval(f"dict({change[1]})")
+        assert len(changed["keep_outs"]) == len(places)
+        assert len(pcl_spiral.spiral(points, **{**settings, **changed}).contact) > 100

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/diagnostic.h>
 
+#include "core/given_together.h"
+
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -68,6 +70,15 @@ isSetting(const std::string& field)
     small = small || std::islower(static_cast<unsigned char>(c)) != 0;
   }
   return false;
+}
+
+/** Whether the part \p i joins two values of one setting. */
+template <typename Part>
+bool
+isBetweenValues(const std::vector<Part>& parts, std::size_t i)
+{
+  return parts[i].text == between_settings && i > 0 && i + 1 < parts.size() && parts[i - 1].is_given && parts[i + 1].is_given &&
+         parts[i - 1].setting == parts[i + 1].setting;
 }
 
 /** What \p valueOf gives for each part of a kind, in their order. */
@@ -268,18 +279,32 @@ Diagnostic::text(const Vocabulary& vocabulary) const
     else
       all.value(field);
   };
-  for (const Part& part : parts_)
-    if (part.kind == Kind::Field)
-      name(part.text);
+  const auto own = [&vocabulary](const std::string& words) {
+    const auto found = vocabulary.words.find(words);
+    return found != vocabulary.words.end() ? &found->second : nullptr;
+  };
+  bool goes_on = false; // with a value of the setting before
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
+    if (part.kind == Kind::Field) {
+      const std::string* const between = isBetweenValues(parts_, i) ? own(betweenValues(parts_[i + 1].setting)) : nullptr;
+      goes_on = between != nullptr;
+      goes_on ? all.value(*between) : name(part.text);
+    }
     else if (part.is_given) {
-      name(part.setting);
-      all.value(all.text().back() == '=' ? "" : " "); // keywords of scripts end so
+      if (!goes_on) {
+        const std::string* const before = own(beforeValues(part.setting));
+        before != nullptr ? all.value(*before) : name(part.setting);
+        all.value(before != nullptr || all.text().back() == '=' ? "" : " "); // keywords of scripts end so
+      }
       all.value(shown(part, vocabulary));
+      goes_on = false;
     }
     else if (part.kind == Kind::Words)
       all.words(part.text);
     else
       all.value(shown(part, vocabulary));
+  }
   return all.text();
 }
 

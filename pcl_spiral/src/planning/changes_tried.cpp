@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/changes_tried.h"
 
+#include "core/given_together.h"
 #include "planning/lacking_points.h"
 #include "planning/scan_clearance.h"
 #include "spiral/scan_warnings.h"
@@ -96,7 +97,7 @@ private:
       change.input.progress = progressOfTry();
       SpiralPlan with;
       const Status status = plan_(change.input, with);
-      const Diagnostic words = before ? Diagnostic(*before, " and ", change.words) : change.words;
+      const Diagnostic words = before ? givenTogether(*before, change.words) : change.words;
       if (status.ok() && isClear(with))
         return Diagnostic(figuresOf(with), ": ", words);
       words_ += Diagnostic(words_.empty() ? "" : "; ", change.words);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/single_change.h"
 
+#include "core/given_together.h"
 #include "planning/closed_scan.h"
 #include "planning/idle_settings.h"
 #include "planning/proposed_value.h"
@@ -195,7 +196,7 @@ private:
     for (const Proposed& proposed : proposed_)
       if (const std::optional<Given> given =
               proposed.setting == "addKeepOut" ? takeProposed(proposed, firstPlace(), change.input) : std::nullopt)
-        change.words += Diagnostic(change.words.empty() ? "" : " and ", *given);
+        change.words = givenTogether(change.words, Diagnostic(*given));
     if (!change.words.empty())
       found_.push_back(std::move(change));
     else if (!said_.places().empty())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is said to users keeps its places, numbers and settings apart from its words, and each face shows them in its own way.
+#include "core/given_together.h"
 #include <pcl_spiral/core/diagnostic.h>
 
 #include <gtest/gtest.h>
@@ -127,6 +128,24 @@ TEST(Diagnostic, AFaceWritesASettingWithItsValueAsItTakesIt)
   EXPECT_EQ(d.text(words), "one helps: --part-at there and thin=0.5");
   words.given = [](const Proposed::Value& value) { return std::holds_alternative<double>(value) ? "n" : "7,8,9"; };
   EXPECT_EQ(d.text(words), "one helps: --part-at 7,8,9 and thin=n");
+}
+
+TEST(Diagnostic, AFaceJoinsSettingsInItsOwnWay)
+{
+  const Diagnostic two = givenTogether(Diagnostic(Given("addHole", 1.0)), Diagnostic(Given("addHole", 2.0)));
+  const Diagnostic three = givenTogether(two, Diagnostic(Given("setThinning", 0.5)));
+  EXPECT_EQ(givenTogether(Diagnostic(), two), two);
+  EXPECT_EQ(givenTogether(two, Diagnostic()), two);
+  EXPECT_EQ(three.text(), "addHole 1 and addHole 2 and setThinning 0.5");
+  EXPECT_EQ(three.settings(), (std::vector<std::string>{"addHole", "addHole", "setThinning"}));
+  Vocabulary program, script;
+  program.words = {{"addHole", "--hole"}, {"setThinning", "--thin"}, {between_settings, " "}};
+  EXPECT_EQ(three.text(program), "--hole 1 --hole 2 --thin 0.5");
+  script.words = {{"addHole", "holes="}, {"setThinning", "thin="}, {between_settings, ", "}, {betweenValues("addHole"), " + "}};
+  EXPECT_EQ(three.text(script), "holes=1 + 2, thin=0.5");
+  script.words[beforeValues("addHole")] = "holes=7 + ";
+  EXPECT_EQ(three.text(script), "holes=7 + 1 + 2, thin=0.5");
+  EXPECT_EQ(Diagnostic("({addHole}): ", two, "; ", Given("addHole", 3.0)).text(script), "(holes=): holes=7 + 1 + 2; holes=7 + 3");
 }
 
 #pragma GCC diagnostic push
