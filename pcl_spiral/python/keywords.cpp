@@ -104,6 +104,8 @@ constexpr OtherName other_names[] = {{"setInputMesh", "faces"},
                                      {"setSpacing", "sample_spacing"},
                                      {"setClusterHandling(ClusterHandling::LeaveOut)", "clusters", "clusters='leave-out'"},
                                      {"setClusterHandling(ClusterHandling::Ride)", "clusters", "clusters='ride'"},
+                                     {"setBallClosing(true)", "ball_closing", "ball_closing=True"},
+                                     {"setLargestPart(true)", "largest", "largest=True"},
                                      {"setTightHandling(TightHandling::Refuse)", "tight", "tight='refuse'"}};
 
 } // namespace

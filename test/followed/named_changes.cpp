@@ -206,14 +206,16 @@ private:
   const ScratchFolder& folder_;
 };
 
-/** Where the change that the planner tried begins; npos: it found none. */
-std::size_t
+/** The change that the planner tried, which is at the end of its line, behind what the path is like. */
+std::optional<std::string>
 triedChange(const std::string& said)
 {
   for (const std::string& words : {tried_words, two_words})
-    if (const std::size_t at = said.find(words); at != std::string::npos)
-      return at + words.size();
-  return std::string::npos;
+    if (const std::size_t at = said.find(words); at != std::string::npos) {
+      const std::string line = said.substr(at, said.find('\n', at) - at);
+      return line.substr(line.rfind(": ") + 2);
+    }
+  return std::nullopt;
 }
 
 const std::regex option("--[a-z][a-z-]*");
@@ -223,7 +225,7 @@ const std::regex option("--[a-z][a-z-]*");
 bool
 plannerTried(const std::string& said)
 {
-  return triedChange(said) != std::string::npos;
+  return triedChange(said).has_value();
 }
 
 bool
@@ -241,8 +243,8 @@ onlyAnotherScan(const std::string& said)
 std::vector<Command>
 namedChanges(const RefusedInput& input, const Command& command, const std::string& said, const ScratchFolder& folder)
 {
-  if (const std::size_t at = triedChange(said); at != std::string::npos)
-    return {test::typedChange(command, said.substr(at))};
+  if (const std::optional<std::string> change = triedChange(said))
+    return {test::typedChange(command, *change)};
   std::smatch tries;
   if (std::regex_search(said, tries, std::regex(more_tries + "--remedy-tries " + number + "; --remedy-tries " + number + " tries more")))
     return {with(command, "--remedy-tries", tries[2])};

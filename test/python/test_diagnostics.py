@@ -81,15 +81,29 @@ def test_a_change_that_helps_is_written_as_python_takes_it():
     assert len(path.contact) > 100
 
 
-def test_further_keep_outs_are_written_with_those_that_were_given(tmp_path):
-    def block(x, y):
-        u, v = np.meshgrid(np.arange(-3, 3.1, 0.6), np.arange(-3, 3.1, 0.6))
-        return np.column_stack([x + u.ravel(), y + v.ravel(), np.full(u.size, 12.0)])
-
-    places = np.array([(27, 0), (-27, 0), (0, 27), (0, -27)])
-    part = cap(4000)
+def cap_with_blocks(places, spacing):
+    """A cap, and the tops of blocks that hide some of its rim."""
+    part, side = cap(4000), np.arange(-3, 3.1, spacing)
     hidden = (abs(part[:, None, :2] - places) < 3.3).all(axis=2).any(axis=1)
-    points = np.concatenate([part[~hidden]] + [block(*place) for place in places])
+    top = np.array([(u, v, 12.0) for u in side for v in side])
+    return np.concatenate([part[~hidden]] + [top + [*place, 0] for place in places])
+
+
+def test_two_changes_together_are_keywords():
+    one, settings = cap_with_blocks(np.array([(27, 0)]), 1.0), {"tool_radius": 4, "scallop": 0.2}
+    points = np.concatenate([one, one * [-1, 1, 1] - [90, 0, 0]])
+    with pytest.raises(pcl_spiral.Error) as error:
+        pcl_spiral.spiral(points, **settings)
+    change = re.search(r"two together give a path of .*: (part_at=.*)$", str(error.value))
+    assert change, str(error.value)
+    changed = eval(f"dict({change[1]})")
+    assert set(changed) == {"part_at", "keep_outs"}
+    assert len(pcl_spiral.spiral(points, **settings, **changed).contact) > 100
+
+
+def test_further_keep_outs_are_written_with_those_that_were_given(tmp_path):
+    places = np.array([(27, 0), (-27, 0), (0, 27), (0, -27)])
+    points = cap_with_blocks(places, 0.6)
     about = [place + 5 * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) for place in places[:2]]
     np.savetxt(tmp_path / "keep out.txt", about[1])
     settings = {"tool_radius": 4, "scallop": 0.2, "part_at": (0, 0, 5)}

@@ -65,7 +65,7 @@ proposedButNotTried(const Spiral& planner)
   const std::vector<SingleChange> changes = singleChanges(planner.input(), {status, true});
   for (const Proposed& proposed : status.diagnostic().proposed()) {
     const auto tries = [&](const SingleChange& change) {
-      const std::vector<Given> given = change.words.given();
+      const std::vector<Given> given = change.words.settings.given();
       return std::any_of(given.begin(), given.end(), [&](const Given& g) { return isTried(proposed, g); });
     };
     if (std::none_of(changes.begin(), changes.end(), tries))

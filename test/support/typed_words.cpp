@@ -29,19 +29,16 @@ leaveOut(const std::string& option, std::vector<std::string>& command)
 std::vector<std::string>
 typedChange(std::vector<std::string> command, const std::string& change)
 {
-  bool without = false, takes_value = false;
-  std::istringstream text(change);
-  for (std::string word; text >> word;) {
-    const bool is_option = isOption(word), is_last = word.back() == ',';
-    if (is_last)
-      word.pop_back();
-    if (is_option && word != "--keep-out")
+  const std::size_t end = change.rfind("without ", 0) == 0 ? 0 : std::min(change.find(", "), change.size());
+  std::istringstream settings(change.substr(0, end)), aside(change.substr(end));
+  std::vector<std::string> pasted;
+  for (std::string word; settings >> word; pasted.push_back(word))
+    if (isOption(word) && word != "--keep-out")
       leaveOut(word, command);
-    if ((is_option && !without) || (takes_value && word != "and"))
-      command.push_back(word);
-    takes_value = is_option && !is_last && !without;
-    without = word == "without";
-  }
+  for (std::string word, before; aside >> word; before = word)
+    if (before == "without")
+      leaveOut(word.substr(0, word.find(',')), command);
+  command.insert(command.end(), pasted.begin(), pasted.end());
   return command;
 }
 

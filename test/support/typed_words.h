@@ -9,8 +9,8 @@
 
 namespace pcl_spiral::test {
 
-/** \p command after a \p change that a refusal names, such as "without --holes and --part-at 1,2,3": options are left out, replaced or
- *  added, each with the word behind it as its value; keep-outs are added to those that are given. */
+/** \p command after a \p change that a refusal names, such as "--part-at 1,2,3 --sense cw, without --holes": what is in front of the first
+ *  comma is pasted behind it as it stands, once options that it replaces and those behind "without" are taken out. */
 std::vector<std::string> typedChange(std::vector<std::string> command, const std::string& change);
 
 } // namespace pcl_spiral::test

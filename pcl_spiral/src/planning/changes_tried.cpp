@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/changes_tried.h"
 
-#include "core/given_together.h"
 #include "planning/lacking_points.h"
 #include "planning/scan_clearance.h"
 #include "spiral/scan_warnings.h"
@@ -64,13 +63,13 @@ public:
   Diagnostic run(const Refused& refused)
   {
     if (std::optional<Diagnostic> found = tryEach(input_, refused, nullptr))
-      return ". Of single changes that were tried, one gives " + *found;
+      return *found;
     const Diagnostic alone = words_;
     const std::vector<Step> steps = std::move(refused_);
     surface_.reset();
     for (const Step& step : steps)
       if (std::optional<Diagnostic> found = tryEach(step.change.input, step.refused, &step.change.words))
-        return ". Of single changes that were tried, none gives a path, but two together give " + *found;
+        return *found;
     if (stopped_)
       return ". The search for a change that gives a path was stopped";
     const Diagnostic tried = alone.empty() ? Diagnostic(". There is no single change of the settings to try")
@@ -85,8 +84,8 @@ private:
     Refused refused;
   };
 
-  /** The first change of the \p refused \p input that gives a path, after the change \p before (null: none), with what it is like. */
-  std::optional<Diagnostic> tryEach(const PlanInput& input, const Refused& refused, const Diagnostic* before)
+  /** What is said of the first change of the \p refused \p input that gives a path, after the change \p before (null: none). */
+  std::optional<Diagnostic> tryEach(const PlanInput& input, const Refused& refused, const ChangeWords* before)
   {
     for (SingleChange& change : singleChanges(input, refused)) {
       spent_ = spent_ || !(*left_ > 0.0);
@@ -97,10 +96,12 @@ private:
       change.input.progress = progressOfTry();
       SpiralPlan with;
       const Status status = plan_(change.input, with);
-      const Diagnostic words = before ? givenTogether(*before, change.words) : change.words;
+      const ChangeWords words = before ? together(*before, change.words) : change.words;
       if (status.ok() && isClear(with))
-        return Diagnostic(figuresOf(with), ": ", words);
-      words_ += Diagnostic(words_.empty() ? "" : "; ", change.words);
+        return Diagnostic(". Of single changes that were tried, ",
+                          words.changes == 1 ? "one gives " : "none gives a path, but two together give ", figuresOf(with), ": ",
+                          words.all());
+      words_ += Diagnostic(words_.empty() ? "" : "; ", change.words.all());
       if (!status.ok() && status.code() != StatusCode::InvalidArgument && status.diagnostic() != refused.status.diagnostic())
         refused_.push_back({change, {status, wasLate(with.attempts)}});
     }

@@ -45,6 +45,20 @@ hasPoints(const PlanInput& input)
                      [&count](const pcl::PointXYZ& p) { return (count += pcl::isFinite(p) ? 1 : 0) >= SurfaceGraph::fewest_points; });
 }
 
+Diagnostic
+without(const std::string& setter)
+{
+  return Diagnostic(("without {" + setter + "}").c_str());
+}
+
+/** Whether \p second sets the only setting of \p first again. */
+bool
+replaces(const ChangeWords& second, const ChangeWords& first)
+{
+  const std::vector<std::string> before = first.all().settings(), now = second.settings.settings();
+  return before.size() == 1 && before[0] != "addKeepOut" && std::find(now.begin(), now.end(), before[0]) != now.end();
+}
+
 /** The changes of one refused input. */
 class Changes {
 public:
@@ -71,7 +85,7 @@ private:
 
   /** Adds the change that \p make makes. */
   template <typename Make>
-  void add(const Diagnostic& words, bool keeps_surface, bool named, Make make)
+  void add(const ChangeWords& words, bool keeps_surface, bool named, Make make)
   {
     SingleChange change{words, input_, keeps_surface, named};
     make(change.input);
@@ -87,7 +101,7 @@ private:
       const std::string& setter = given[i].setter;
       if (!names(setter.c_str()) || textOf(given[i]) == textOf(defaults[i]) || contains(wanted, setter))
         continue;
-      add(Diagnostic(("without {" + setter + "}").c_str()), false, true, [i](PlanInput& changed) {
+      add({{}, without(setter)}, false, true, [i](PlanInput& changed) {
         SpiralSettings other;
         copyValue(settingTable(other)[i], settingTable(changed.settings)[i]);
       });
@@ -101,7 +115,7 @@ private:
     const std::optional<Given> given = takeProposed(proposed, firstPlace(), change.input);
     if (!given)
       return false;
-    change.words = Diagnostic(*given);
+    change.words.settings = Diagnostic(*given);
     found_.push_back(std::move(change));
     return true;
   }
@@ -126,7 +140,7 @@ private:
     if (names("setTiltAngle") && !input_.settings.fixed_axis)
       add(Proposed("setTiltAngle", 0.0));
     if (names("setClusterHandling(ClusterHandling::Ride)") && input_.choice.clusters != ClusterHandling::Ride)
-      add("{setClusterHandling(ClusterHandling::Ride)}", false, true,
+      add({"{setClusterHandling(ClusterHandling::Ride)}"}, false, true,
           [](PlanInput& changed) { changed.choice.clusters = ClusterHandling::Ride; });
     if (names("setBoundaryMode"))
       add(Proposed("setBoundaryMode", "one"));
@@ -158,7 +172,7 @@ private:
     for (const Proposed& proposed : proposed_)
       has_places = (proposed.setting == "setPartAt" && add(proposed)) || has_places;
     if (!has_places)
-      add("{setLargestPart}", false, true, [](PlanInput& changed) { changed.settings.largest_part = true; });
+      add({"{setLargestPart(true)}"}, false, true, [](PlanInput& changed) { changed.settings.largest_part = true; });
   }
 
   /** The closing by the ball; it cuts more of several separate parts than one of them, and so comes before these. */
@@ -167,7 +181,7 @@ private:
     const bool separate = names("setLargestPart") || names("setPartAt");
     if (input_.ball_closing || !input_.cloud || input_.mesh || !knowsSide(input_))
       return;
-    SingleChange change{"{setBallClosing}, with a fixed tool axis", input_, false, separate};
+    SingleChange change{{"{setBallClosing(true)}", "with a fixed tool axis"}, input_, false, separate};
     change.input.ball_closing = true;
     leaveOutIdle(change);
     found_.push_back(std::move(change));
@@ -183,7 +197,7 @@ private:
     for (std::size_t i = 0; i < given.size(); ++i)
       if (textOf(given[i]) != textOf(defaults[i]) && idleSetting({given[i].name}, change.input.settings, job)) {
         copyValue(defaults[i], given[i]);
-        change.words += Diagnostic((", without {" + given[i].setter + "}").c_str());
+        change.words.aside += Diagnostic(", ", without(given[i].setter));
       }
   }
 
@@ -196,8 +210,8 @@ private:
     for (const Proposed& proposed : proposed_)
       if (const std::optional<Given> given =
               proposed.setting == "addKeepOut" ? takeProposed(proposed, firstPlace(), change.input) : std::nullopt)
-        change.words = givenTogether(change.words, Diagnostic(*given));
-    if (!change.words.empty())
+        change.words.settings = givenTogether(change.words.settings, Diagnostic(*given));
+    if (!change.words.settings.empty())
       found_.push_back(std::move(change));
     else if (!said_.places().empty())
       for (const double half : keep_out_half_widths) {
@@ -227,6 +241,22 @@ private:
 };
 
 } // namespace
+
+Diagnostic
+ChangeWords::all() const
+{
+  return settings.empty() || aside.empty() ? settings + aside : Diagnostic(settings, ", ", aside);
+}
+
+ChangeWords
+together(const ChangeWords& first, const ChangeWords& second)
+{
+  if (replaces(second, first))
+    return second;
+  return {givenTogether(first.settings, second.settings),
+          first.aside.empty() || second.aside.empty() ? first.aside + second.aside : Diagnostic(first.aside, ", ", second.aside),
+          first.changes + second.changes};
+}
 
 std::vector<SingleChange>
 singleChanges(const PlanInput& input, const Refused& refused)

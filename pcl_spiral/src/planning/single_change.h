@@ -10,9 +10,21 @@
 
 namespace pcl_spiral {
 
+/** What a user does to change an input. */
+struct ChangeWords {
+  Diagnostic settings;   ///< as a face takes them: "{setMethod} radial"
+  Diagnostic aside = {}; ///< what comes with them, and settings to leave out: "without {setHoleHandling}"
+  int changes = 1;       ///< single ones
+
+  Diagnostic all() const; ///< First the settings, so that they can be copied.
+};
+
+/** What \p first and \p second do one after the other: \p second alone, if it sets the only setting of \p first again. */
+ChangeWords together(const ChangeWords& first, const ChangeWords& second);
+
 /** One change of an input. */
 struct SingleChange {
-  Diagnostic words;           ///< as a user gives it: "{setMethod} radial"
+  ChangeWords words;
   PlanInput input;            ///< with the change
   bool keeps_surface = false; ///< the surface of the scan stays as it is
   bool named = false;         ///< the refusal names it

@@ -3,6 +3,7 @@
 
 #include "scan_places.h"
 
+#include "core/given_together.h"
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/planning/pass_plan.h>
@@ -37,6 +38,8 @@ constexpr SettingWords settings[] = {
     {"setFlankLength", "flank-length"},
     {"setAcceptCollisions", "accept-collisions"},
     {"setBallClosing", "ball-closing"},
+    {"setBallClosing(true)", "ball-closing"},
+    {"setLargestPart(true)", "largest"},
     {"setRemedyTries", "remedy-tries"},
     {"setGougeCheck", "no-gouge-check"},
     {"setLeaveOutStrays", "leave-out-strays"},
@@ -156,6 +159,7 @@ programWords()
     vocabulary.words["Scale it to mm"] = "Give its unit (--units m), or scale it to mm";
   if (of_mesh)
     vocabulary.words.insert(std::begin(mesh_words), std::end(mesh_words));
+  vocabulary.words[between_settings] = " ";
   vocabulary.place = shownPlace;
   vocabulary.given = optionValue;
   return vocabulary;

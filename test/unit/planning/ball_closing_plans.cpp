@@ -217,7 +217,7 @@ TEST(BallClosingPlans, ARefusalNamesItIfItWouldGiveAPath)
     return planner.getStatus().diagnostic().settings();
   };
   const auto has = [](const std::vector<std::string>& settings) {
-    return std::find(settings.begin(), settings.end(), "setBallClosing") != settings.end();
+    return std::find(settings.begin(), settings.end(), "setBallClosing(true)") != settings.end();
   };
   EXPECT_TRUE(has(remedies(true, ball_radius)));
   EXPECT_FALSE(has(remedies(false, ball_radius))); // from which side?

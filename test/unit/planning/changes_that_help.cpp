@@ -269,7 +269,7 @@ wordsOf(const PlanInput& input, const Diagnostic& said)
 {
   std::vector<std::string> words;
   for (const SingleChange& change : singleChanges(input, {{StatusCode::Failed, said}, false}))
-    words.push_back(change.words.text());
+    words.push_back(change.words.all().text());
   return words;
 }
 
@@ -287,6 +287,17 @@ TEST(ChangesThatHelp, EveryNumberThatIsProposedIsTriedWhateverTheSentence)
   EXPECT_GE(count, 20U);
   EXPECT_EQ(wordsOf(input, Diagnostic(Proposed("setMethod", "radial"))), std::vector<std::string>{"setMethod radial"});
   EXPECT_TRUE(wordsOf(input, Diagnostic("a radius of ", 1.0, " {mm}, thin to ", 2.0, " {mm} at ", Place({1, 2, 3}))).empty());
+}
+
+TEST(ChangesThatHelp, ASettingThatIsChangedTwiceIsOneChange)
+{
+  const ChangeWords half{Diagnostic(Given("setToolRadius", 3.0))}, quarter{Diagnostic(Given("setToolRadius", 1.5))};
+  const ChangeWords kept_out{Diagnostic(Given("addKeepOut", 1.0))}, usual{{}, "without {setMethod}"};
+  EXPECT_EQ(together(half, quarter).all().text(), "setToolRadius 1.5");
+  EXPECT_EQ(together(half, quarter).changes, 1);
+  EXPECT_EQ(together(usual, {Diagnostic(Given("setMethod", "radial"))}).all().text(), "setMethod radial");
+  EXPECT_EQ(together(kept_out, kept_out).all().text(), "addKeepOut 1 and addKeepOut 1");
+  EXPECT_EQ(together(kept_out, kept_out).changes, 2);
 }
 
 TEST(ChangesThatHelp, KeepOutsAreTriedTogetherAndPartsOneByOne)

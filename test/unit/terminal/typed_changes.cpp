@@ -89,7 +89,7 @@ typeEach(const Words& command)
   for (const SingleChange& change : singleChanges(input, {{StatusCode::Failed, said}, true})) {
     if (!checkSettings(change.input.settings).ok())
       continue; // two settings that the library refuses together: there is no path
-    const std::string words = inWords(change.words);
+    const std::string words = inWords(change.words.all());
     expectSame(inputOf(parsed(test::typedChange(command, words))), change.input, words);
     std::istringstream text(words);
     for (std::string word; text >> word;)
@@ -115,6 +115,28 @@ TEST(TypedChanges, GiveWhatWasTried)
                                        "--hole-size",    "--holes",      "--keep-out", "--method",       "--part-at",
                                        "--scallop",      "--sense",      "--thin",     "--tilt",         "--tool-radius"};
   EXPECT_EQ(options, expected);
+}
+
+TEST(TypedChanges, TwoTogetherArePastedAsTheyStand)
+{
+  const PlanInput input = inputOf(parsed(usual));
+  const auto changesOf = [](const PlanInput& of, const Diagnostic& said) { return singleChanges(of, {{StatusCode::Failed, said}, false}); };
+  const std::vector<SingleChange> first =
+      changesOf(input, Diagnostic("{addKeepOut}: ", Proposed("addKeepOut", Vector3d(-3.0, 1.0, 2.0), Vector3d(4.5, 6.75, 2.0)), ", ",
+                                  Proposed("addKeepOut", Vector3d(40.0, 1.0, 2.0), Vector3d(44.0, 6.0, 2.0))));
+  ASSERT_EQ(first.size(), 1U);
+  const std::vector<SingleChange> second = changesOf(first[0].input, "{setMethod}");
+  ASSERT_EQ(second.size(), 1U);
+  const ChangeWords both = together(first[0].words, second[0].words);
+  const std::string words = inWords(both.all());
+  EXPECT_EQ(words, "--keep-out -3,4.5,1,6.75 --keep-out 40,44,1,6 --method radial");
+  expectSame(inputOf(parsed(test::typedChange(usual, words))), second[0].input, words);
+  EXPECT_EQ(both.changes, 2);
+  const ChangeWords largest{"{setLargestPart(true)}"}, closed{"{setBallClosing(true)}", "with a fixed tool axis"},
+      usual_holes{{}, "without {setHoleHandling}"};
+  EXPECT_EQ(inWords(together(closed, largest).all()), "--ball-closing --largest, with a fixed tool axis");
+  EXPECT_EQ(inWords(together(usual_holes, largest).all()), "--largest, without --holes");
+  EXPECT_EQ(inWords(together(usual_holes, {{}, "without {setTiltAngle}"}).all()), "without --holes, without --tilt");
 }
 
 TEST(TypedChanges, PlacesAreInTheCoordinatesOfTheFile)
