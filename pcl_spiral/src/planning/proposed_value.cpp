@@ -31,16 +31,17 @@ asShown(const Eigen::AlignedBox3d& box)
   return {Eigen::Vector3d((per_mm * box.min()).array().floor() / per_mm), Eigen::Vector3d((per_mm * box.max()).array().ceil() / per_mm)};
 }
 
-/** The box about the upright keep-out of \p input that is nearest to \p place, wider by \p more, mm; empty: there is none. */
+/** The box about the keep-out of \p input that is nearest to \p place, wider by \p more, mm; empty: there is none, or it leans, and no box
+ *  is about it. */
 Eigen::AlignedBox3d
 widerKeepOut(const PlanInput& input, const Eigen::Vector3d& place, double more)
 {
   const Prism* nearest = nullptr;
   for (const Prism& prism : input.choice.keep_outs)
-    if (prism.axis().cross(Eigen::Vector3d::UnitZ()).norm() < upright && (!nearest || prism.distance(place) < nearest->distance(place)))
+    if (!nearest || prism.distance(place) < nearest->distance(place))
       nearest = &prism;
   Eigen::AlignedBox3d box;
-  if (!nearest)
+  if (!nearest || nearest->axis().cross(Eigen::Vector3d::UnitZ()).norm() > upright)
     return box;
   for (const Eigen::Vector3d& corner : nearest->outline(nearest->width()))
     box.extend(corner);

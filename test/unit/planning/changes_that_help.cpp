@@ -331,6 +331,19 @@ TEST(ChangesThatHelp, TheKeepOutThatIsEnteredGrows)
   EXPECT_FALSE(kept_out[2].contains({0.0, 0.0, 0.0}));
 }
 
+/** It has no box about it: then a keep-out about the place is tried. */
+TEST(ChangesThatHelp, NoOtherKeepOutGrowsForOneThatLeans)
+{
+  PlanInput input;
+  input.settings.tool_radius = 3.0;
+  const Prism leaning({{20.0, 0.0, 0.0}, {22.0, 0.0, 0.0}, {22.0, 4.0, 0.0}, {20.0, 4.0, 0.0}}, {1.0, 0.0, 2.0});
+  input.choice.keep_outs = {box(-1.0, 1.0, -2.0, 2.0), leaning};
+  const Diagnostic said("by ", Proposed("addKeepOut", 0.5), " {mm} at ", Place({24.0, 1.0, 9.0}), " ({addKeepOut})");
+  EXPECT_LT(leaning.distance({24.0, 1.0, 9.0}), 1.0);
+  EXPECT_EQ(wordsOf(input, said),
+            (std::vector<std::string>{"addKeepOut from (18, -5, 9) to (30, 7, 9)", "addKeepOut from (12, -11, 9) to (36, 13, 9)"}));
+}
+
 TEST(ChangesThatHelp, ValuesAreTriedAsTheyAreShown)
 {
   EXPECT_NEAR(roundedDown(1.2399), 1.23, 1e-12);
