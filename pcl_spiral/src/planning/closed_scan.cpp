@@ -25,34 +25,6 @@ constexpr double narrow_cells = 4.0; // narrower than that nothing is a hole: a 
 constexpr std::array<ClosingTry, closing_tries> tries{
     {{0.25, false, false}, {0.5, false, false}, {0.25, true, false}, {0.5, true, false}, {0.25, false, true}}};
 
-Status
-refuseUnfit(const PlanInput& input)
-{
-  if (input.mesh)
-    return {StatusCode::InvalidArgument,
-            "{setBallClosing} belongs to scans, and a mesh is given ({setInputMesh}): leave one of the two out"};
-  if (!input.choice.keep_outs.empty())
-    return {StatusCode::InvalidArgument,
-            "a keep-out ({addKeepOut}) does not go with {setBallClosing}, which rides over all that was scanned: leave "
-            "the keep-out out, or cut what lies beside it by a crop ({setCrop})"};
-  if (input.settings.thinning > 0.0)
-    return {StatusCode::InvalidArgument,
-            "thinning ({setThinning}) drops points that the ball must not touch, and {setBallClosing} makes an "
-            "even surface itself: leave the thinning out"};
-  if (input.choice.clusters != ClusterHandling::Refuse)
-    return {StatusCode::InvalidArgument, "clusters ({setClusterHandling}) are of the surface over which {setBallClosing} leads the ball: "
-                                         "leave one of the two out; the outlier filter ({setOutlierRemoval}) removes false echoes"};
-  if (input.settings.tight == TightHandling::Refuse)
-    return {
-        StatusCode::InvalidArgument,
-        "places that the ball does not reach cannot be refused ({setTightHandling}) with {setBallClosing}, which bridges them: leave one "
-        "of the two out"};
-  if (input.settings.flip_normals)
-    return {StatusCode::InvalidArgument, "{setFlipNormals} turns the side, which {setBallClosing} takes from the tool axis: set the axis "
-                                         "({setFixedAxis}), and leave the turn out"};
-  return Status::success();
-}
-
 /** The point of \p cloud that is nearest to \p place. */
 Eigen::Vector3d
 nearestOf(const pcl::PointCloud<pcl::PointXYZ>& cloud, const Eigen::Vector3d& place)
@@ -155,6 +127,34 @@ tellScan(const PlanInput& whole, std::size_t echoes, const ClosingFigures& figur
 
 } // namespace
 
+Status
+checkClosable(const PlanInput& input)
+{
+  if (input.mesh)
+    return {StatusCode::InvalidArgument,
+            "{setBallClosing} belongs to scans, and a mesh is given ({setInputMesh}): leave one of the two out"};
+  if (!input.choice.keep_outs.empty())
+    return {StatusCode::InvalidArgument,
+            "a keep-out ({addKeepOut}) does not go with {setBallClosing}, which rides over all that was scanned: leave "
+            "the keep-out out, or cut what lies beside it by a crop ({setCrop})"};
+  if (input.settings.thinning > 0.0)
+    return {StatusCode::InvalidArgument,
+            "thinning ({setThinning}) drops points that the ball must not touch, and {setBallClosing} makes an "
+            "even surface itself: leave the thinning out"};
+  if (input.choice.clusters != ClusterHandling::Refuse)
+    return {StatusCode::InvalidArgument, "clusters ({setClusterHandling}) are of the surface over which {setBallClosing} leads the ball: "
+                                         "leave one of the two out; the outlier filter ({setOutlierRemoval}) removes false echoes"};
+  if (input.settings.tight == TightHandling::Refuse)
+    return {
+        StatusCode::InvalidArgument,
+        "places that the ball does not reach cannot be refused ({setTightHandling}) with {setBallClosing}, which bridges them: leave one "
+        "of the two out"};
+  if (input.settings.flip_normals)
+    return {StatusCode::InvalidArgument, "{setFlipNormals} turns the side, which {setBallClosing} takes from the tool axis: set the axis "
+                                         "({setFixedAxis}), and leave the turn out"};
+  return Status::success();
+}
+
 bool
 knowsSide(const PlanInput& input)
 {
@@ -252,7 +252,7 @@ noPath(const Status& said, std::size_t tries)
 Status
 planClosed(const PlanInput& whole, std::size_t most, const PlanRun& run, SpiralPlan& plan)
 {
-  if (const Status status = refuseUnfit(whole); !status.ok())
+  if (const Status status = checkClosable(whole); !status.ok())
     return status;
   PlanInput given = whole;
   pcl::PointCloud<pcl::PointXYZ> echoes;

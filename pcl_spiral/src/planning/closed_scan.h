@@ -27,6 +27,9 @@ struct ClosedScan {
   Diagnostics warnings;   ///< what the ball cannot enter
 };
 
+/** InvalidArgument for an input with which planClosed does nothing: a mesh, keep-outs, and settings that do not go with a closed scan. */
+Status checkClosable(const PlanInput& input);
+
 /** Closes the scan of \p given along the tool axis (PlanInput::ball_closing), which is fixed: what comes down that way with an upright
  *  shank no wider than the ball meets nothing. Of \p seen it keeps the part that was chosen. */
 Status closeScan(const PlanInput& given, const SeenParts& seen, const ClosingTry& how, ClosedScan& closed);

@@ -179,12 +179,13 @@ private:
   void addClosing()
   {
     const bool separate = names("setLargestPart") || names("setPartAt");
-    if (input_.ball_closing || !input_.cloud || input_.mesh || !knowsSide(input_))
+    if (input_.ball_closing || !input_.cloud || !knowsSide(input_))
       return;
     SingleChange change{{"{setBallClosing(true)}", "with a fixed tool axis"}, input_, false, separate};
     change.input.ball_closing = true;
     leaveOutIdle(change);
-    found_.push_back(std::move(change));
+    if (checkClosable(change.input).ok())
+      found_.push_back(std::move(change));
   }
 
   /** Leaves out what has no effect with an axis that stays: programs refuse it. */

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <variant>
 
@@ -313,6 +314,32 @@ TEST(ChangesThatHelp, KeepOutsAreTriedTogetherAndPartsOneByOne)
   ASSERT_EQ(kept_out.size(), 2U);
   EXPECT_TRUE(kept_out[0].contains({2, 3, 77}));
   EXPECT_FALSE(kept_out[0].contains({0.5, 3, 0}));
+}
+
+TEST(ChangesThatHelp, TheClosingIsNotTriedBesideWhatItRefuses)
+{
+  const auto isTried = [](const std::function<void(PlanInput&)>& change) {
+    PlanInput input;
+    input.cloud = plate();
+    input.settings.tool_radius = 3.0;
+    input.settings.scallop_height = 0.05;
+    input.settings.view_point = Vector3d(0.0, 0.0, 500.0);
+    change(input);
+    const std::vector<std::string> words = wordsOf(input, "anything");
+    PlanInput closed = input;
+    closed.ball_closing = true;
+    closed.remedy_tries = 0;
+    SpiralPlan plan;
+    const Status status = planSpiral(closed, plan);
+    EXPECT_EQ(status.code() == StatusCode::InvalidArgument, words.empty()) << status.message();
+    return words == std::vector<std::string>{"setBallClosing(true), with a fixed tool axis"};
+  };
+  EXPECT_TRUE(isTried([](PlanInput&) {}));
+  EXPECT_FALSE(isTried([](PlanInput& i) { i.choice.keep_outs = {box(40.0, 42.0, 0.0, 4.0)}; }));
+  EXPECT_FALSE(isTried([](PlanInput& i) { i.choice.clusters = ClusterHandling::Ride; }));
+  EXPECT_FALSE(isTried([](PlanInput& i) { i.settings.thinning = 1.0; }));
+  EXPECT_FALSE(isTried([](PlanInput& i) { i.settings.tight = TightHandling::Refuse; }));
+  EXPECT_FALSE(isTried([](PlanInput& i) { i.settings.flip_normals = true; }));
 }
 
 TEST(ChangesThatHelp, TheKeepOutThatIsEnteredGrows)
