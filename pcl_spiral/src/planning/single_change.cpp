@@ -227,8 +227,9 @@ private:
     bool is_proposed = false;
     for (const Proposed& proposed : proposed_)
       is_proposed = (proposed.setting == "setToolRadius" && add(proposed)) || is_proposed;
+    const bool is_edge = names("setTightHandling") && !names("setToolRadius"); // which no ball fits into
     const double radius = input_.settings.tool_radius;
-    if (!is_proposed && (names("setToolRadius") || late_ || input_.ball_closing))
+    if (!is_proposed && !is_edge && (names("setToolRadius") || late_ || input_.ball_closing))
       for (const double share : smaller_balls)
         add(Proposed("setToolRadius", share * radius), names("setToolRadius"));
   }

@@ -116,6 +116,40 @@ TEST(ChangesThatHelp, TheRadiusToldFitsAGroove)
   EXPECT_FALSE(statusWith(1.3 * told).ok());
 }
 
+/** Its radius is that of the fit: a ball that fits this need not give a path. */
+TEST(ChangesThatHelp, NoRadiusIsToldForAnInnerEdge)
+{
+  for (const double angle : {80.0, 110.0, 140.0}) {
+    const ScanPtr scan(new pcl::PointCloud<pcl::PointXYZ>);
+    const double half = 0.5 * angle * M_PI / 180.0;
+    for (int i = -24; i <= 24; ++i)
+      for (int k = -24; k <= 24; ++k)
+        scan->emplace_back(static_cast<float>(0.5 * i * std::sin(half)), 0.5F * static_cast<float>(k),
+                           static_cast<float>(0.5 * std::abs(i) * std::cos(half)));
+    const auto planWith = [&](double radius, Spiral& planner) {
+      prepare(scan, planner);
+      planner.setToolRadius(radius);
+      planner.setViewPoint({0.0, 0.0, 500.0});
+      planner.setTightHandling(TightHandling::Refuse);
+      planner.setRemedyTries(0);
+      planner.compute();
+      return planner.getStatus();
+    };
+    Spiral large;
+    const Status refusal = planWith(6.0, large);
+    ASSERT_FALSE(refusal.ok()) << angle;
+    const std::vector<Proposed> told = refusal.diagnostic().proposed();
+    EXPECT_EQ(told.empty(), angle < 95.0) << angle << ": " << refusal.message();
+    for (const Proposed& proposed : told) {
+      Spiral fitting;
+      const Status status = planWith(std::get<double>(proposed.value), fitting);
+      EXPECT_TRUE(status.ok() && isClear(fitting.getPlan())) << angle << ": " << refusal.message() << "\n  then: " << status.message();
+    }
+    for (const SingleChange& change : singleChanges(large.input(), {refusal, true}))
+      EXPECT_TRUE(!told.empty() || change.input.settings.tool_radius == 6.0) << angle << ": " << change.words.all();
+  }
+}
+
 /** Between points farther apart than it is wide, a ball would cut what they do not show. */
 TEST(ChangesThatHelp, ABallThatPassesBetweenThePointsIsNotNamed)
 {

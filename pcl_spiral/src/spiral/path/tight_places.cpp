@@ -13,6 +13,7 @@
 namespace pcl_spiral {
 namespace {
 
+constexpr double edge = 1.0;   // spacings: fewer than two points are on a right angle of an arc of this radius
 constexpr double margin = 0.9; // of the tightest radius: between the points that were looked at, a place may be tighter
 
 /** Radius of the ball that a remedy names: a little below \p tightest, two digits. */
@@ -21,6 +22,22 @@ remedyRadius(double tightest)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(margin * tightest)) - 1.0);
   return unit * std::floor(margin * tightest / unit);
+}
+
+/** The remedy by a ball that fits into a hollow of the radius \p tightest. It need not give a path. */
+Diagnostic
+smallerTool(double tightest, bool of_scan)
+{
+  return Diagnostic(", or use a smaller tool ({setToolRadius}): a radius of ", Proposed("setToolRadius", remedyRadius(tightest)),
+                    " {mm} or less is needed", of_scan ? " {on the scan}" : "");
+}
+
+/** Why no ball is named where a hollow is tighter than the points are apart: its radius is that of the fit. */
+Diagnostic
+edgeText(double spacing)
+{
+  return Diagnostic(". No smaller tool is named, as an inner edge, tighter than the ", spacing,
+                    " {mm} between the points, has no radius {on the scan}");
 }
 
 /** The smallest radius of a hollow at the points of \p surface, at most \p radius. */
@@ -76,15 +93,14 @@ Status
 TightPlaces::refusal(const Diagnostic& what, const Surface* surface) const
 {
   const std::size_t places = count();
-  const double fitting = remedyRadius(surface ? tightestOf(*surface, radius_) : radius_);
+  const double tightest = surface ? tightestOf(*surface, radius_) : radius_;
   return {
       StatusCode::Failed,
       Diagnostic("the surface is hollow with radius ", radius_, " {mm} at ", Place(place_), ", tighter than the tool radius ", tool_radius_,
-                 " {mm}: the cutter would gouge; let the ball ride over such places ({setTightHandling}), or use a smaller tool "
-                 "({setToolRadius}): "
-                 "a radius of ",
-                 Proposed("setToolRadius", fitting), " {mm} fits everywhere", surface ? " {on the scan}" : "", ". This is the tightest of ",
-                 feet_.size(), " ", what, " that are too tight, in ", places, places == 1 ? " place" : " separate places")};
+                 " {mm}: the cutter would gouge; let the ball ride over such places ({setTightHandling})",
+                 surface && tightest < edge * surface->spacing() ? edgeText(surface->spacing()) : smallerTool(tightest, surface != nullptr),
+                 ". This is the tightest of ", feet_.size(), " ", what, " that are too tight, in ", places,
+                 places == 1 ? " place" : " separate places")};
 }
 
 Status
