@@ -9,7 +9,7 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double unlikely = 0.3; // groups that chance may make
+constexpr double unlikely = 0.3; // groups that chance may make; others beside a point
 
 /** Number of pairs of different groups whose points are nearest at 1 to 3 times \p reach, both ends counted once. */
 std::size_t
@@ -34,6 +34,13 @@ pairsAround(const std::vector<StandingCluster>& groups, double reach)
   return pairs;
 }
 
+/** How many of \p count points spread evenly over \p area are expected within \p reach of one. */
+double
+othersWithin(std::size_t count, double reach, double area)
+{
+  return static_cast<double>(count) * pi * reach * reach / area;
+}
+
 } // namespace
 
 std::size_t
@@ -50,10 +57,16 @@ leastCluster(const std::vector<StandingCluster>& groups, double reach)
   return least;
 }
 
+bool
+isRare(std::size_t count, double reach, double area)
+{
+  return othersWithin(count, reach, area) < unlikely;
+}
+
 std::size_t
 leastSpread(std::size_t count, double reach, double area)
 {
-  const double another = static_cast<double>(count) * pi * reach * reach / area; // within reach of a point
+  const double another = othersWithin(count, reach, area);
   if (another >= 1.0)
     return count + 1;
   double expected = static_cast<double>(count) * another;

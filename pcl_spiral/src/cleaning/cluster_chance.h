@@ -19,4 +19,7 @@ std::size_t leastCluster(const std::vector<StandingCluster>& groups, double reac
 /** The same for groups of \p count points that are spread evenly over \p area. */
 std::size_t leastSpread(std::size_t count, double reach, double area);
 
+/** Whether \p count points spread evenly over \p area lie so far apart that less than 0.3 others are expected within \p reach of one. */
+bool isRare(std::size_t count, double reach, double area);
+
 } // namespace pcl_spiral

@@ -33,8 +33,9 @@ struct StandingPoints {
  *  Steps of two spacings link the points of a cluster. Points that stand farther apart are linked by steps of six spacings. False echoes
  *  that fly about at random meet by chance: how often is estimated from their distances (leastCluster), for the second links from their
  *  number on the whole surface (leastSpread). Groups of a size that is
- *  expected 0.3 times or more are no clusters. Points within six spacings of a cluster join it, also those beyond the rim or over a
- *  hole, as the middle of a clamp that hides the surface: alone these are no reason for a cluster. The surface is that of
+ *  expected 0.3 times or more are no clusters. Points within six spacings of a cluster join it, or, where its own points lie far apart,
+ *  within three times their mean distance from the nearest one; also those beyond the rim or over a hole, as the middle of a clamp that
+ *  hides the surface: alone these are no reason for a cluster. The surface is that of
  *  spikeOutliers, fitted to the points of the graph that are no candidates. */
 StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points);
 

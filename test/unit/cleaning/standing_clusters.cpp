@@ -211,6 +211,33 @@ TEST(StandingClusters, ALastPointFartherFromTheOthersBelongsToThem)
   }
 }
 
+/** The crown of a tree over a plane, its leaves at random four spacings apart in the mean: a ball that rides over it must know all. */
+TEST(StandingClusters, TheLeavesOfATreeBelongToIt)
+{
+  constexpr int leaves = 58, seeds = 10, side = 60;
+  constexpr double crown = 14.0, middle = 18.0;
+  int missed = 0;
+  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+    const Cloud::Ptr cloud(new Cloud);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share(-1.0, 1.0);
+    for (int i = -side; i <= side; ++i)
+      for (int j = -side; j <= side; ++j)
+        add(*cloud, Eigen::Vector3d(i + 0.3 * share(random), j + 0.3 * share(random), 0.01 * share(random)));
+    for (int i = 0; i < leaves;) {
+      const Eigen::Vector3d leaf(share(random), share(random), share(random));
+      if (leaf.norm() > 1.0)
+        continue;
+      add(*cloud, crown * leaf + Eigen::Vector3d(0.0, 0.0, middle));
+      ++i;
+    }
+    Surface::ConstPtr surface;
+    ASSERT_TRUE(statusOf(cloud, ClusterHandling::Ride, &surface).ok());
+    missed += leaves - static_cast<int>(surface->riddenPoints().size());
+  }
+  EXPECT_LE(missed, seeds * leaves / 200);
+}
+
 TEST(StandingClusters, PointsFarApartInOnePlaceAreOneToo)
 {
   // Each three to five spacings from the next: alone they look like single echoes.
