@@ -42,16 +42,16 @@ Status
 sheetRefusal(double noise, double spacing, const std::vector<PointHeight>& heights)
 {
   const Lie lie = lieOf(heights);
-  return {StatusCode::InvalidInput,
-          Diagnostic(
-              "the noise of the points about a local surface is ", noise, " {mm}, up to ", std::abs(lie.farthest.value), " {mm} at ",
-              Place(lie.farthest.place), ", and their spacing is ", spacing, " {mm}. Half of the points lie within ", lie.half,
-              " {mm} of the surface, one in ten more than ", lie.tenth, " {mm} off it, ", std::round(100.0 * lie.above),
-              " % of these above it: this is not a single sheet (a thin double wall, noise above the point spacing, or trees or "
-              "flying points over the surface), or it bends too tightly for its points (a radius under two spacings); for a wall, keep "
-              "only one side in the {cloud}; where trees or flying points are, crop the {scan} to the part ({setCrop}); for tight bends, "
-              "{scan more densely}; for noise, ",
-              smoothingRemedy(noise, spacing))};
+  return {
+      StatusCode::InvalidInput,
+      Diagnostic("the noise of the points about a local surface is ", noise, " {mm}, up to ", std::abs(lie.farthest.value), " {mm} at ",
+                 Place(lie.farthest.place), ", and their spacing is ", spacing, " {mm}. Half of the points lie within ", lie.half,
+                 " {mm} of the surface, one in ten more than ", lie.tenth, " {mm} off it, ", std::round(100.0 * lie.above),
+                 " % of these above it: this is not a single sheet (a thin double wall, noise above the point spacing, or trees or "
+                 "flying points over the surface), or it bends too tightly for its points (a radius under two spacings); for a wall, keep "
+                 "only one side in the {cloud}; where trees or flying points are, crop the {scan} to the part; for tight bends, "
+                 "{scan more densely}; for noise, ",
+                 smoothingRemedy(noise, spacing))};
 }
 
 } // namespace pcl_spiral
