@@ -26,9 +26,9 @@ constexpr double loose_link = 6.0;     // spacings: of points that stand far apa
 constexpr std::size_t least_patch = 2; // points
 constexpr double safe = 0.5;           // of the ball's radius: 1 - sin(30 degrees)
 /** In mean distances of the points of a cluster from their nearest one. Of points spread evenly at random, one in a thousand has no other
- *  within 2.1 of these in space, 2.7 on a face, 3.0 in a layer. */
+ *  within 2.1 of these inside a volume, 2.7 at its side, 3.0 in a plane. (On a line 6.9: wires are linked by their spacing.) */
 constexpr double widest_gap = 3.0;
-constexpr std::size_t enough = 12; // points that tell their distance to about a sixth
+constexpr std::size_t enough = 12; // points, for a mean distance to about a sixth
 
 /** Height of a point over the surface. */
 struct Height {

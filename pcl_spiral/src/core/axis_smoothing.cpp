@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "axis_smoothing.h"
 
-#include <pcl_spiral/core/impl/parallel_resize.h>
+#include "core/parallel_resize.h"
 
 #include <algorithm>
 #include <cmath>
@@ -276,6 +276,7 @@ public:
     bool holds(const std::vector<std::uint8_t>& marked) const { return std::memchr(&marked[first], 1, last - first) != nullptr; }
   };
 
+  SmoothedPart(const SmoothedPart&) = delete; // its members refer to each other
   SmoothedPart(const KnotsOfPath& all, const Range& range, double length)
   : all_(all), begin_(range.begin), end_(range.end), first_(range.first), knots_(all, range.first, range.last), spline_(knots_, length),
     along_(knots_, length), deviations_(knots_.at.size()), means_(knots_.at.size(), 0.0)

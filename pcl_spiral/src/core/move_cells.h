@@ -67,7 +67,6 @@ public:
     const Range inner = rangeOf(inner_low, inner_high);
     forCells(rangeOf(low, high), [&](const Cell& cell, std::size_t bucket) {
       found[count++] = {moves_.data() + begin_[bucket], moves_.data() + begin_[bucket + 1], inner.holds(cell)};
-      __builtin_prefetch(found[count - 1].last - 1);
       if (count == found.size())
         visitFound();
     });

@@ -185,6 +185,8 @@ smoothAxes(const Polyline& points, const Vectors& wanted, const AxisFieldOptions
 {
   check(points, wanted, options);
   const std::vector<double> s = arcLengths(points);
+  if (!s.empty() && !std::isfinite(s.back()))
+    throw std::invalid_argument("smoothAxes: a point is not finite");
   SmoothAxes result;
   result.axes = options.smoothing_length > 0.0 ? splineOfAxes(s, wanted, options.smoothing_length, options.max_deviation) : wanted;
   if (options.max_rate > 0.0 && points.size() > 1)

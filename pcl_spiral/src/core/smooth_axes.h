@@ -41,7 +41,7 @@ struct SmoothAxes {
  *
  *  Time is linear in the number of points. The result is the same for any number of threads.
  *  Source: Reinsch 1967; Green and Silverman 1994, section 2.3.
- *  \throws std::invalid_argument when points and axes differ in number, or an option is out of range */
+ *  \throws std::invalid_argument when points and axes differ in number, a point is not finite, or an option is out of range */
 SmoothAxes smoothAxes(const Polyline& points, const std::vector<Eigen::Vector3d>& wanted, const AxisFieldOptions& options);
 
 /** Moves of a path on which unit \p directions, one per point, turn faster than \p max_rate per length of path. */

@@ -20,7 +20,7 @@ longestStepOver(const StepOverMetric& metric)
 double
 longestStepOverBound(const StepOverMetric& metric)
 {
-  constexpr double rounding = 1e-6; // of the determinant: eigenvalues differ by less than a factor of a thousand
+  constexpr double rounding = 1e-6; // of the determinant, where eigenvalues differ by less than a factor of 10^4
   const Eigen::Matrix3d g = metric.matrix();
   const double determinant = g.determinant(), trace = g.trace(), minors = 0.5 * (trace * trace - g.squaredNorm());
   const double root = std::sqrt(std::max(0.0, 4.0 * minors * minors - 12.0 * trace * determinant));

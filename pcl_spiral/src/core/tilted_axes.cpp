@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tilted_axes.h"
 
-#include <pcl_spiral/core/impl/parallel_resize.h>
+#include "core/parallel_resize.h"
 
 #include <Eigen/Geometry>
 

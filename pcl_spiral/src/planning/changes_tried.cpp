@@ -20,7 +20,8 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double all_points = 0.98; // share of the points: a path over fewer does not cut the whole scan
+constexpr double all_points = 0.98;  // share of the points: a path over fewer does not cut the whole scan
+constexpr double least_points = 0.1; // the same: a path over fewer cuts a thing on the part, or beside it, such as a clamp
 
 /** Whether turns were made. */
 bool
@@ -29,15 +30,28 @@ wasLate(const std::vector<PlanAttempt>& attempts)
   return std::any_of(attempts.begin(), attempts.end(), [](const PlanAttempt& one) { return one.late; });
 }
 
+/** Points of the scan. */
+std::size_t
+scanPoints(const SpiralPlan& plan)
+{
+  return plan.whole ? plan.whole->size() : plan.report.input_points;
+}
+
+/** Whether the path runs over at least \p share of the points of the scan. */
+bool
+runsOver(double share, const SpiralPlan& plan)
+{
+  return static_cast<double>(plan.report.used_points) >= share * static_cast<double>(scanPoints(plan));
+}
+
 /** What the path of \p plan is like. */
 Diagnostic
 figuresOf(const SpiralPlan& plan)
 {
   const SpiralReport& report = plan.report;
   Diagnostic text("a path of ", std::round(report.path_length), " {mm}");
-  const std::size_t all = plan.whole ? plan.whole->size() : report.input_points;
-  if (static_cast<double>(report.used_points) < all_points * static_cast<double>(all))
-    text += Diagnostic(" over ", report.used_points, " of ", all, " points");
+  if (!runsOver(all_points, plan))
+    text += Diagnostic(" over ", report.used_points, " of ", scanPoints(plan), " points");
   double tight = 0.0, uncut = 0.0;
   for (const TightPlace& place : report.tight_places)
     tight += place.area;
@@ -97,7 +111,7 @@ private:
       SpiralPlan with;
       const Status status = plan_(change.input, with);
       const ChangeWords words = before ? together(*before, change.words) : change.words;
-      if (status.ok() && isClear(with))
+      if (status.ok() && runsOver(least_points, with) && isClear(with))
         return Diagnostic(". Of single changes that were tried, ",
                           words.changes == 1 ? "one gives " : "none gives a path, but two together give ", figuresOf(with), ": ",
                           words.all());
@@ -149,7 +163,7 @@ isClear(const SpiralPlan& plan)
   if (!showsHollows(plan.report.spacing, plan.settings.tool_radius))
     return false;
   std::vector<Eigen::Vector3f> points;
-  for (const pcl::PointXYZ& p : *plan.cloud)
+  for (const pcl::PointXYZ& p : plan.whole ? *plan.whole : *plan.cloud)
     if (pcl::isFinite(p))
       points.push_back(p.getVector3fMap());
   pcl::PointCloud<pcl::PointXYZ> things;

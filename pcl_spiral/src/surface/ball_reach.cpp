@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 
 namespace pcl_spiral {
 namespace {
@@ -23,7 +24,7 @@ constexpr double widest_void = 6.0;     // spacings: twice the largest circle wi
 constexpr int widest_search = 4;        // of the fit in a void, as for the path there
 constexpr int most_shrinks = 40;        // of the ball at one foot; a few are usual
 constexpr double settled = 1e-4;        // of the radius: the ball shrinks no more
-constexpr std::size_t sample = 4096;    // points that tell whether too few are reached
+constexpr std::size_t sample = 4096;    // points that show whether too few are reached
 constexpr double surely = 5.0;          // standard deviations of a share of the sample, at most 0.5 / sqrt(size)
 
 /** Area about each point: a third of its triangles; without triangles the square of its spacing. */
@@ -260,13 +261,18 @@ BallReach::findUnreached(double least_reached)
 void
 BallReach::lookAt(std::size_t every, const std::vector<std::uint8_t>& empty)
 {
-  looked_ = (size_ + every - 1) / every;
+  std::minstd_rand random; // the order of points has a pattern: the first of every few would be at the edges of blocks
+  std::vector<std::uint32_t> points;
+  points.reserve(size_ / every);
+  for (std::size_t i = 0; i + every <= size_; i += every)
+    points.push_back(static_cast<std::uint32_t>(i + (every > 1 ? random() % every : 0)));
+  looked_ = points.size();
   const auto count = static_cast<std::int64_t>(looked_);
   std::vector<float> reaches(looked_);
   std::vector<std::uint8_t> covered(looked_);
 #pragma omp parallel for schedule(dynamic, 256)
   for (std::int64_t k = 0; k < count; ++k) {
-    const std::size_t i = k * every;
+    const std::size_t i = points[k];
     reaches[k] = static_cast<float>(empty[patches_.place[i]] ? radius_ : reach(position(i), normal(i)));
     covered[k] = isCovered(i);
   }
@@ -275,10 +281,10 @@ BallReach::lookAt(std::size_t every, const std::vector<std::uint8_t>& empty)
   std::vector<Eigen::Vector3f> places;
   unreached_.clear();
   for (std::size_t k = 0; k < looked_; ++k)
-    if (const std::size_t i = k * every; reaches[k] < whole || covered[k] != 0) {
+    if (const std::uint32_t i = points[k]; reaches[k] < whole || covered[k] != 0) {
       if (areas.empty())
         areas = pointAreas(graph_);
-      unreached_.push_back({static_cast<std::uint32_t>(i), reaches[k], areas[i], covered[k] != 0});
+      unreached_.push_back({i, reaches[k], areas[i], covered[k] != 0});
       places.push_back(patches().feet.point(patches().place[i]));
     }
   unreached_feet_ = PointBlocks(std::move(places));

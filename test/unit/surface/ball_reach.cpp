@@ -270,6 +270,27 @@ TEST(BallReach, LooksAtFewPointsWhereTheBallSurelyReachesTooFew)
     EXPECT_EQ(all.looked(), surface->size());
 }
 
+/** Points in rows of a power of two: the order of the graph halves them down to the same places of each wave. */
+TEST(BallReach, PatternsOfThePointsDoNotMisleadTheFewLookedAt)
+{
+  constexpr int side = 256, period = 12;
+  pcl::PointCloud<pcl::PointXYZ>::Ptr waves(new pcl::PointCloud<pcl::PointXYZ>);
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j)
+      waves->push_back(pcl::PointXYZ(0.5f * static_cast<float>(i), 0.5f * static_cast<float>(j),
+                                     static_cast<float>(0.3 * std::sin(2.0 * M_PI * i / period))));
+  const auto surface = surfaceOf(waves);
+  const double tolerance = reachTolerance(surface->fit(), 0.0005);
+  const BallReach all(surface->graph(), surface->fit(), 8.0, tolerance);
+  const double missed = static_cast<double>(all.unreached().size()) / static_cast<double>(all.size());
+  EXPECT_GT(missed, 0.35);
+  for (const double least : {0.95 - missed, 1.05 - missed}) {
+    const BallReach some(surface->graph(), surface->fit(), 8.0, tolerance, {}, {}, least);
+    EXPECT_EQ(some.looked() == some.size(), least < 1.0 - missed) << missed;
+    EXPECT_NEAR(static_cast<double>(some.unreached().size()) / static_cast<double>(some.looked()), missed, 0.04);
+  }
+}
+
 TEST(BallReach, CountsAllPointsCutOffAtTheEdgeOfARoof)
 {
   std::size_t most = 0;

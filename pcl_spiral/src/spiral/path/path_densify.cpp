@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "path_densify.h"
 
-#include <pcl_spiral/core/impl/parallel_resize.h>
+#include "core/parallel_resize.h"
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
 #include <algorithm>

@@ -8,9 +8,9 @@
 #include "tight_ride.h"
 #include "turn_spacing.h"
 
+#include "core/parallel_resize.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/core/impl/parallel_resize.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/core/impl/parallel_resize.h>
+#include "core/parallel_resize.h"
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include <pcl_spiral/common/impl/thread_limit.h>
 #include <pcl_spiral/common/impl/toolpath_fields.h>
 #include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/core/impl/parallel_resize.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/impl/method_choice.h>
 #include <pcl_spiral/spiral/impl/path_size.h>
@@ -249,7 +248,6 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::compute(pcl::PointCloud<P
   if (!this->computeBy("SpiralToolpathGenerator", [&] { return run(clock, spiral); }))
     return;
   const ThreadLimit limit(settings_.threads);
-  resizeInParallel(path.points, spiral.contacts.size());
   path.resize(spiral.contacts.size());
   const auto count = static_cast<std::int64_t>(path.size());
 #pragma omp parallel for schedule(static)

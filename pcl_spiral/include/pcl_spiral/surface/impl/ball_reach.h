@@ -49,7 +49,8 @@ class BallReach {
 public:
   /** Shares the points of \p graph and \p fit. \p tolerance, mm: depth that counts as noise of the surface. \p beyond: the surface
    *  beside that of the graph, see surfaceBeyond. \p least_reached: where the ball surely reaches a smaller share of the points than
-   *  this, not all of them are looked at, see looked(): a ball as hollow as the part touches almost all points from each. */
+   *  this, not all of them are looked at, see looked(). To look at all takes the square of their number where almost all are equally
+   *  near to the centre of the ball, as on a bowl with its radius. */
   BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double radius, double tolerance, const BallObstacles& obstacles = {},
             const std::vector<SurfacePatch>& beyond = {}, double least_reached = 0.0);
 
@@ -60,7 +61,7 @@ public:
   double tolerance() const { return tolerance_; } ///< As given, mm.
 
   std::size_t size() const { return size_; } ///< Points of the graph.
-  /** Points that were looked at: all, or, where the share reached is too small, a few thousand spread evenly over them. */
+  /** Points that were looked at: all, or, where the share reached is too small, one at random of every few. */
   std::size_t looked() const { return looked_; }
   /** Points that the ball does not reach, in the order of the graph. */
   const std::vector<UnreachedPoint>& unreached() const { return unreached_; }
@@ -125,7 +126,7 @@ private:
   Patches fitPatches(const std::vector<SurfacePatch>& beyond, std::vector<float>& heights) const;
   static Patch patchOf(const SurfaceFoot& foot, double extent);
   void findUnreached(double least_reached);
-  /** Looks at one point in \p every and keeps those that the ball does not reach. */
+  /** Looks at one point of \p every, at random, and keeps those that the ball does not reach. */
   void lookAt(std::size_t every, const std::vector<std::uint8_t>& empty);
   /** For each foot, whether the ball there is so far from all feet, by the widths of their patches, that none is in it. */
   std::vector<std::uint8_t> emptyBalls() const;

@@ -17,9 +17,8 @@ smoothingRemedy(double noise, double spacing)
   constexpr double radius = 20.0; // of the noise
   constexpr double widest = 8.0;  // spacings: two folds of the least radius that a scan shows, two spacings, side by side
   if (!(radius * noise <= widest * spacing))
-    return "such scatter cannot be told from folds of the part with too few points, and smoothing would remove both: {scan more densely}, "
-           "or "
-           "scan and cut one sheet at a time";
+    return "such scatter cannot be told from folds of the part with too few points, and smoothing would remove both: "
+           "{scan more densely}, or scan and cut one sheet at a time";
   return Diagnostic(
       "smooth the {cloud} first: 'pcl_mls_smoothing in.pcd out.pcd -radius ", radius * noise,
       "' (package pcl-tools), or {pcl::MovingLeastSquares} with that search radius, {mm}; it moves folds narrower than that, too");
