@@ -22,6 +22,7 @@ namespace {
 
 constexpr double all_points = 0.98;  // share of the points: a path over fewer does not cut the whole scan
 constexpr double least_points = 0.1; // the same: a path over fewer cuts a thing on the part, or beside it, such as a clamp
+constexpr double deepest = 0.3;      // radii of the ball in a point: deeper is no noise, but shape that so few points do not show
 
 /** Whether turns were made. */
 bool
@@ -170,7 +171,8 @@ isClear(const SpiralPlan& plan)
   for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
     things.push_back({p.x(), p.y(), p.z()});
   const SpiralSettings& s = plan.settings;
-  return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= gougeTolerance(s.chord_error, plan.report.noise);
+  const double allowed = std::min(gougeTolerance(s.chord_error, plan.report.noise), deepest * s.tool_radius);
+  return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= allowed;
 }
 
 Diagnostic
