@@ -2,6 +2,7 @@
 #include "axis_smoothing.h"
 
 #include "core/parallel_resize.h"
+#include "core/path_knots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,74 +29,6 @@ constexpr double fading = 70.0;       // sum of step / (sqrt(2) length), each at
 constexpr double steepest = 1.3;      // from one knot to the next
 constexpr double part_length = 700.0; // the same sum over a part of a path; only speed: of ten fadings, a fifth is solved twice
 
-/** The points of a path as knots. Points very near to each other make one knot. */
-class KnotsOfPath {
-public:
-  KnotsOfPath(const std::vector<double>& s, const Vectors& axes, double closest) : s_(s), axes_(axes)
-  {
-    begin_.reserve(s.size() + 1);
-    for (std::size_t i = 0; i < s.size();) {
-      const double farthest = s[i] + closest;
-      begin_.push_back(static_cast<std::uint32_t>(i));
-      while (i < s.size() && s[i] <= farthest)
-        ++i;
-    }
-    begin_.push_back(static_cast<std::uint32_t>(s.size()));
-  }
-
-  std::size_t size() const { return begin_.size() - 1; }
-  const std::vector<double>& places() const { return s_; }
-  const Vectors& axes() const { return axes_; }
-  /** The first of the points of knot \p k. */
-  std::size_t begin(std::size_t k) const { return begin_[k]; }
-  /** Arc length of knot \p k, in the middle of its points. */
-  double at(std::size_t k) const
-  {
-    double place = 0.0;
-    for (std::size_t i = begin_[k]; i < begin_[k + 1]; ++i)
-      place += s_[i] - s_[begin_[k]];
-    return s_[begin_[k]] + place / points(k);
-  }
-  /** Mean axis of the points of knot \p k. */
-  Vector3d wanted(std::size_t k) const
-  {
-    if (begin_[k + 1] == begin_[k] + 1)
-      return axes_[begin_[k]];
-    Vector3d sum = Vector3d::Zero();
-    for (std::size_t i = begin_[k]; i < begin_[k + 1]; ++i)
-      sum += axes_[i];
-    return sum / points(k);
-  }
-  /** Length of path that knot \p k represents. */
-  double weight(std::size_t k) const { return 0.5 * (at(std::min(k + 1, size() - 1)) - at(k > 0 ? k - 1 : 0)); }
-
-private:
-  double points(std::size_t k) const { return static_cast<double>(begin_[k + 1] - begin_[k]); }
-
-  const std::vector<double>& s_;
-  const Vectors& axes_;
-  std::vector<std::uint32_t> begin_; ///< first point of each knot, and the end
-};
-
-/** Knots of a path that follow each other. */
-struct Knots {
-  std::vector<double> at; ///< arc length
-  Vectors wanted;
-  std::vector<double> weight;
-
-  Knots(const KnotsOfPath& all, std::size_t first, std::size_t last)
-  {
-    at.reserve(last - first);
-    wanted.reserve(last - first);
-    weight.reserve(last - first);
-    for (std::size_t k = first; k < last; ++k) {
-      at.push_back(all.at(k));
-      wanted.push_back(all.wanted(k));
-      weight.push_back(all.weight(k));
-    }
-  }
-};
-
 /** A natural cubic spline by values and second derivatives at its knots. */
 struct Spline {
   Vectors value, second;
@@ -117,7 +50,7 @@ struct Spline {
  *  some weights have changed, it goes only through the rows whose numbers change: the same result as from the start. */
 class SmoothingSpline {
 public:
-  SmoothingSpline(const Knots& knots, double length)
+  SmoothingSpline(const PathKnots& knots, double length)
   : knots_(knots), stiffness_(length * length * length * length), n_(knots.at.size()), inverse_(n_ - 1), penalty_(n_), d_(n_), l1_(n_),
     l2_(n_), ahead_(n_, Vector3d::Zero())
   {
@@ -196,7 +129,7 @@ private:
   }
   double step(std::size_t k) const { return knots_.at[k + 1] - knots_.at[k]; }
 
-  const Knots& knots_;
+  const PathKnots& knots_;
   double stiffness_;
   std::size_t n_;
   std::vector<double> inverse_, penalty_; ///< of the steps; stiffness over weight
@@ -207,7 +140,7 @@ private:
 /** Means along a path: a value at distance d has the weight exp(-d / length). Like the spline, made anew only where they change. */
 class MeanAlong {
 public:
-  MeanAlong(const Knots& knots, double length)
+  MeanAlong(const PathKnots& knots, double length)
   : weight_(knots.weight), fade_(knots.at.size() - 1), before_(knots.at.size(), 0.0), after_(knots.at.size(), 0.0)
   {
     for (std::size_t k = 0; k < fade_.size(); ++k)
@@ -335,7 +268,7 @@ public:
 private:
   const KnotsOfPath& all_;
   std::size_t begin_, end_, first_; ///< first_: index of the first of knots_
-  Knots knots_;
+  PathKnots knots_;
   SmoothingSpline spline_;
   MeanAlong along_;
   Spline solved_;
