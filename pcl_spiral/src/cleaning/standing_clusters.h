@@ -8,7 +8,7 @@
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <vector>
@@ -38,6 +38,9 @@ struct StandingPoints {
  *  hides the surface: alone these are no reason for a cluster. The surface is that of
  *  spikeOutliers, fitted to the points of the graph that are no candidates. */
 StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points);
+
+/** The box about the points of \p cluster. */
+Eigen::AlignedBox3d boxOf(const StandingCluster& cluster);
 
 /** "9 clusters of points stand off the surface: 6 points at (1, 2, 3), 10 mm across and 5.4 mm high, from (-3, 0, 2) to (5, 4, 3), ...
  *  and 5 more". The extents are wider by the \p spacing of the scan, mm: a thing ends between its last point and the next one. */
