@@ -40,15 +40,22 @@ isOverGap(const SurfaceFoot& foot, const Surface& surface)
 bool
 halveStretchedSteps(const Surface& surface, double longest, SpiralPath& path)
 {
+  const auto isStretched = [&](std::size_t i) {
+    const double step = (path.contacts[i] - path.contacts[i - 1]).norm();
+    return step > longest && step <= stretched * longest && !beginsPass(path.passes, i);
+  };
+  std::size_t first = path.contacts.size();
+#pragma omp parallel for schedule(static) reduction(min : first)
+  for (std::size_t i = 1; i < path.contacts.size(); ++i)
+    if (isStretched(i))
+      first = std::min(first, i);
   std::vector<std::size_t> ends; // of the steps
   std::vector<Eigen::Vector3d> queries;
-  for (std::size_t i = 1; i < path.contacts.size(); ++i) {
-    const double step = beginsPass(path.passes, i) ? 0.0 : (path.contacts[i] - path.contacts[i - 1]).norm();
-    if (step > longest && step <= stretched * longest) {
+  for (std::size_t i = first; i < path.contacts.size(); ++i)
+    if (isStretched(i)) {
       ends.push_back(i);
       queries.push_back(0.5 * (path.contacts[i] + path.contacts[i - 1]));
     }
-  }
   if (ends.empty())
     return false;
   std::vector<SurfaceFoot> feet;
@@ -100,7 +107,8 @@ Status
 measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& figures)
 {
   figures = GapFigures();
-  for (std::size_t i = 0; i < path.contacts.size(); ++i) {
+  const auto first = std::find_if(path.over_gap.begin(), path.over_gap.end(), [](std::uint8_t over) { return over != 0; });
+  for (auto i = static_cast<std::size_t>(first - path.over_gap.begin()); i < path.contacts.size(); ++i) {
     figures.points += path.over_gap[i];
     if (i > 0 && (path.over_gap[i - 1] || path.over_gap[i]))
       figures.length += path.arc_lengths[i] - path.arc_lengths[i - 1];
@@ -188,6 +196,18 @@ putOnSurface(const std::vector<SpiralPoint>& curve, const CurveFeet* known, cons
   return measureGaps(path, settings, figures);
 }
 
+Status
+jumpAt(const SpiralPath& path, std::size_t i, double longest_step)
+{
+  const Polyline& feet = path.onSurface();
+  return {StatusCode::Failed,
+          Diagnostic("the path jumps by ", (feet[i] - feet[i - 1]).norm(), " {mm} at ", Place(path.contacts[i]), " in turn ", path.turns[i],
+                     ", more than the longest step of ", longest_step, " {mm}, while the normal turns by ",
+                     std::acos(std::clamp(path.normals[i].dot(path.normals[i - 1]), -1.0, 1.0)) * 180.0 / pi,
+                     " {degrees}: the surface folds there, or is too rough or too sparse; leave the place out ({setCrop}, {addKeepOut}), "
+                     "or {scan it again, more densely}")};
+}
+
 } // namespace
 
 Status
@@ -212,20 +232,19 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
   if (const Status status = checkGiven(path.contacts.size(), "the path"); !status.ok())
     return status;
   const Polyline& feet = path.onSurface();
+  double largest = 0.0;
+  std::size_t jump = feet.size();
+#pragma omp parallel for schedule(static) reduction(max : largest) reduction(min : jump)
   for (std::size_t i = 1; i < path.contacts.size(); ++i) {
     if (beginsPass(path.passes, i))
       continue;
-    figures.largest_gap = std::max(figures.largest_gap, (path.contacts[i] - path.contacts[i - 1]).norm());
-    const double gap = (feet[i] - feet[i - 1]).norm();
-    if (!(gap <= slack * longest_step))
-      return {StatusCode::Failed,
-              Diagnostic(
-                  "the path jumps by ", gap, " {mm} at ", Place(path.contacts[i]), " in turn ", path.turns[i],
-                  ", more than the longest step of ", longest_step, " {mm}, while the normal turns by ",
-                  std::acos(std::clamp(path.normals[i].dot(path.normals[i - 1]), -1.0, 1.0)) * 180.0 / pi,
-                  " {degrees}: the surface folds there, or is too rough or too sparse; leave the place out ({setCrop}, {addKeepOut}), or "
-                  "{scan it again, more densely}")};
+    largest = std::max(largest, (path.contacts[i] - path.contacts[i - 1]).norm());
+    if (!((feet[i] - feet[i - 1]).norm() <= slack * longest_step))
+      jump = std::min(jump, i);
   }
+  if (jump < feet.size())
+    return jumpAt(path, jump, longest_step);
+  figures.largest_gap = largest;
   figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
   figures.points = path.contacts.size();
   figures.length = path.arc_lengths.back();

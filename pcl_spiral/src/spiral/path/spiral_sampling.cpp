@@ -98,11 +98,10 @@ stepCounts(const std::vector<Knot>& knots, const std::vector<StepStretch>& stret
 
 } // namespace
 
-std::vector<Eigen::Vector3d>
-SpiralCurve::tangents(const std::vector<Knot>& knots, bool after_corner) const
+Eigen::Vector3d
+SpiralCurve::tangent(const std::vector<Knot>& knots, std::size_t k, bool after_corner)
 {
   const auto n = static_cast<std::int64_t>(knots.size());
-  std::vector<Eigen::Vector3d> result(n);
   // Parabolas over chord length: through both neighbours, or, at a corner, through the two on the given side.
   const auto oneSided = [&](std::int64_t p, std::int64_t direction) -> Eigen::Vector3d {
     const std::int64_t q = p + direction, r = p + 2 * direction;
@@ -116,32 +115,45 @@ SpiralCurve::tangents(const std::vector<Knot>& knots, bool after_corner) const
     }
     return static_cast<double>(direction) * slope;
   };
-#pragma omp parallel for schedule(static)
-  for (std::int64_t k = 0; k < n; ++k) {
-    const bool first = k == 0, last = k + 1 == n;
-    if (first || last || knots[k].corner) {
-      const bool ahead = first || (!last && after_corner);
-      result[k] = oneSided(k, ahead ? 1 : -1);
-      continue;
-    }
-    const Eigen::Vector3d back = knots[k].position - knots[k - 1].position;
-    const Eigen::Vector3d ahead = knots[k + 1].position - knots[k].position;
-    const double h0 = back.norm(), h1 = ahead.norm();
-    result[k] = (back * (h1 / h0) + ahead * (h0 / h1)) / (h0 + h1);
+  const auto i = static_cast<std::int64_t>(k);
+  const bool first = i == 0, last = i + 1 == n;
+  if (first || last || knots[k].corner) {
+    const bool ahead = first || (!last && after_corner);
+    return oneSided(i, ahead ? 1 : -1);
   }
+  const Eigen::Vector3d back = knots[k].position - knots[k - 1].position;
+  const Eigen::Vector3d ahead = knots[k + 1].position - knots[k].position;
+  const double h0 = back.norm(), h1 = ahead.norm();
+  return (back * (h1 / h0) + ahead * (h0 / h1)) / (h0 + h1);
+}
+
+std::vector<Eigen::Vector3d>
+SpiralCurve::tangents(const std::vector<Knot>& knots)
+{
+  std::vector<Eigen::Vector3d> result;
+  resizeInParallel(result, knots.size());
+  const auto n = static_cast<std::int64_t>(knots.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t k = 0; k < n; ++k)
+    result[k] = tangent(knots, k, true);
   return result;
 }
 
+Eigen::Vector3d
+SpiralCurve::arriving(const std::vector<Knot>& knots, const std::vector<Eigen::Vector3d>& leaving, std::size_t k)
+{
+  return knots[k].corner ? tangent(knots, k, false) : leaving[k];
+}
+
 std::vector<double>
-SpiralCurve::stepsNeeded(const std::vector<Knot>& knots, const std::vector<Eigen::Vector3d>& leaving,
-                         const std::vector<Eigen::Vector3d>& arriving) const
+SpiralCurve::stepsNeeded(const std::vector<Knot>& knots, const std::vector<Eigen::Vector3d>& leaving) const
 {
   const std::size_t segments = knots.size() - 1;
   std::vector<double> steps(segments);
 #pragma omp parallel for schedule(static)
   for (std::int64_t k = 0; k < static_cast<std::int64_t>(segments); ++k) {
     const double chord = (knots[k + 1].position - knots[k].position).norm();
-    const double turned = angleBetween(leaving[k], arriving[k + 1]);
+    const double turned = angleBetween(leaving[k], arriving(knots, leaving, k + 1));
     const double length = chord * (1.0 + turned * turned / 24.0);
     const double bend = turned > 0.0 ? 2.0 * std::sqrt(2.0 * settings_.chord_error * length / turned) : max_step_;
     const double step = std::min({knots[k].step, knots[k + 1].step, bend, max_step_});
@@ -154,8 +166,8 @@ std::vector<SpiralPoint>
 SpiralCurve::sample() const
 {
   const std::vector<Knot> knots = this->knots();
-  const std::vector<Eigen::Vector3d> leaving = tangents(knots, true), arriving = tangents(knots, false);
-  const std::vector<double> steps = stepsNeeded(knots, leaving, arriving);
+  const std::vector<Eigen::Vector3d> leaving = tangents(knots);
+  const std::vector<double> steps = stepsNeeded(knots, leaving);
   const std::vector<StepStretch> stretches = stretchesOf(knots, steps);
   const std::vector<double> counts = stepCounts(knots, stretches);
   // Points of a stretch, by their place in it: the last one lies at least half a step before the end.
@@ -181,7 +193,7 @@ SpiralCurve::sample() const
   for (std::int64_t i = 0; i < stretch_count; ++i) {
     std::size_t place = starts[i];
     forEachPoint(i, [&](std::size_t k, double t) {
-      const HermiteSegment segment{knots[k].position, knots[k + 1].position, leaving[k], arriving[k + 1],
+      const HermiteSegment segment{knots[k].position, knots[k + 1].position, leaving[k], arriving(knots, leaving, k + 1),
                                    (knots[k + 1].position - knots[k].position).norm()};
       points[place++] = {segment.at(t), knots[k].turn + t * (knots[k + 1].turn - knots[k].turn)};
     });

@@ -3,6 +3,7 @@
 
 #include "turn_spacing.h"
 
+#include "core/parallel_resize.h"
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/step_over.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
@@ -35,7 +36,10 @@ measureTurns(const SpiralPath& path, const SpiralSettings& settings, const std::
   figures.reversals = findReversals(turned, neighbours.counted);
   const double flat = stepOver(settings.tool_radius, 0.0, settings.scallop_height).value_or(settings.tool_radius);
   const bool by_length = settings.method == SpiralMethod::ConstantScallop;
-  neighbours.along = by_length ? path.arc_lengths : std::vector<double>(path.turns.begin(), path.turns.end());
+  resizeInParallel(neighbours.along, path.turns.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < path.turns.size(); ++i)
+    neighbours.along[i] = by_length ? path.arc_lengths[i] : path.turns[i];
   neighbours.apart = by_length ? steps_apart * flat : turns_apart;
   neighbours.within = widest_steps * flat;
   const MoveFigures moves = measureMoves(path, neighbours, settings.chord_error, go_on);

@@ -54,10 +54,14 @@ private:
   void meetLines(ClosedLoop& loop) const;
   std::vector<Knot> loopKnots(const ClosedLoop& loop, double turn) const;
   std::vector<Knot> turnBesideLoop(const ClosedLoop& loop, std::size_t turn) const;
-  std::vector<Eigen::Vector3d> tangents(const std::vector<Knot>& knots, bool after_corner) const;
-  /** Steps that each segment needs; \p leaving and \p arriving: its tangents. */
-  std::vector<double> stepsNeeded(const std::vector<Knot>& knots, const std::vector<Eigen::Vector3d>& leaving,
-                                  const std::vector<Eigen::Vector3d>& arriving) const;
+  /** Derivative over chord length at knot \p k; at a corner, of the side \p after_corner or before it. */
+  static Eigen::Vector3d tangent(const std::vector<Knot>& knots, std::size_t k, bool after_corner);
+  /** Of every knot, as the curve leaves it. */
+  static std::vector<Eigen::Vector3d> tangents(const std::vector<Knot>& knots);
+  /** As the curve arrives at knot \p k: it differs from \p leaving at corners only. */
+  static Eigen::Vector3d arriving(const std::vector<Knot>& knots, const std::vector<Eigen::Vector3d>& leaving, std::size_t k);
+  /** Steps that each segment needs; \p leaving: tangents(). */
+  std::vector<double> stepsNeeded(const std::vector<Knot>& knots, const std::vector<Eigen::Vector3d>& leaving) const;
 
   const std::vector<RadialLine>& lines_;
   const TurnFunction& turns_;
