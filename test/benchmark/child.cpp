@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "child.h"
 
+#include "common/program_environment.h"
+
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -51,6 +53,8 @@ runChild(const ChildTask& task)
   for (std::string& word : words)
     arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  if (!isWaitPolicyGiven() && !setProgramEnvironment())
+    throw std::runtime_error("the environment cannot be set");
   pid_t process = 0;
   if (::posix_spawn(&process, "/proc/self/exe", nullptr, nullptr, arguments.data(), environ) != 0)
     throw std::runtime_error("no child process could be started");

@@ -130,7 +130,7 @@ TEST_F(CommandLine, HelpShowsEveryOptionWithAnExample)
   EXPECT_EQ(run({"--version"}).out.rfind("pcl_spiral_toolpath 0.", 0), 0U);
 }
 
-TEST_F(CommandLine, StartsAgainWithThreadsThatSleepAndEndsTheSame)
+TEST_F(CommandLine, StartsAgainWithThreadsThatSleepAndLargePagesAndEndsTheSame)
 {
   for (const char* policy : {"-uOMP_WAIT_POLICY", "OMP_WAIT_POLICY=active"}) {
     const auto ended = [&](const Arguments& arguments) {

@@ -4,6 +4,7 @@
 #include "terminal.h"
 #include "vocabulary.h"
 
+#include "common/program_environment.h"
 #include <pcl_spiral/io/file_error.h>
 
 #include <unistd.h>
@@ -19,19 +20,15 @@ namespace {
 
 constexpr int failed_on_data = 1;
 
-/** Threads that have nothing to do sleep, if the user did not choose otherwise: spinning, they hold up those with work where other programs
- *  run. The OpenMP library reads this when it is loaded, before main: the program \p name starts again. Not under tools that run it
+/** Starts the program \p name again in the environment of the programs, unless the user chose how threads wait. Not under tools that run it
  *  in their own way, as valgrind, which loads a library before it, or a loader that is called with its name. */
 void
-waitPassively(const std::string& name, char* const* argv)
+startAgain(const std::string& name, char* const* argv)
 {
-  const char* const policy = "OMP_WAIT_POLICY";
   std::error_code unread;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unread);
-  if (program.filename() != name || std::getenv("LD_PRELOAD") || std::getenv(policy) || std::getenv("GOMP_SPINCOUNT"))
-    return;
-  if (setenv(policy, "passive", 1) == 0)
-    execv(program.c_str(), argv); // returns where this fails: slower beside other programs, and nothing else
+  if (program.filename() == name && !std::getenv("LD_PRELOAD") && !pcl_spiral::isWaitPolicyGiven() && pcl_spiral::setProgramEnvironment())
+    execv(program.c_str(), argv); // returns where this fails: slower, and nothing else
 }
 
 /** The exit code of \p body. */
@@ -61,7 +58,7 @@ codeOf(const std::string& name, const std::function<int()>& body)
 int
 runProgram(const std::string& name, char* const* argv, const std::function<int()>& body)
 {
-  waitPassively(name, argv);
+  startAgain(name, argv);
   catchSignals();
   const int code = codeOf(name, body);
   const bool told = std::cout.flush() && std::fflush(stdout) == 0;
