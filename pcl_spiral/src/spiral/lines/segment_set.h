@@ -59,15 +59,16 @@ public:
    *  than \p enough ends the search. */
   NearestSegment nearestFrom(std::size_t from, const Eigen::Vector3d& p, const StepOverMetric& metric, double within,
                              double enough = 0.0) const;
-  /** Call \p visit(segment) for all segments within \p within step-overs of \p p, and some beyond; a segment may come twice. */
+  /** Call \p visit(segment) for all segments within \p within step-overs of \p p; a segment may come twice. */
   template <typename Visit>
   void forSegmentsNear(const Eigen::Vector3d& p, const StepOverMetric& metric, double within, Visit visit) const
   {
     const double reach = within * longestStepOver(metric);
+    double share = 0.0;
     index_->search(
         p, [reach] { return reach; },
         [&](std::size_t s) {
-          if (!is_joint_[s])
+          if (!is_joint_[s] && distanceFromSegment(p, metric, points_[s], points_[s + 1], share) <= within)
             visit(s);
         });
   }

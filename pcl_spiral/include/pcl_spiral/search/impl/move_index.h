@@ -19,7 +19,7 @@ namespace pcl_spiral {
 
 /** The segments of a polyline, in groups of four that follow each other; the groups are halved repeatedly across the longest side
  * of their box, under boxes in single precision that are rounded outwards. Segments much longer than the mean are stored in pieces.
- * The polyline must outlive the index and must not change. Memory: 72 bytes per segment, at most half as much
+ * The polyline must outlive the index and must not change. Memory: 18 bytes per segment, at most half as much
  * again, in addition to the polyline.
  */
 class MoveIndex {
@@ -31,8 +31,8 @@ public:
   /** The point of the segments nearest to \p p, if it is nearer than \p distance, which then becomes its distance. */
   bool nearest(const Eigen::Vector3d& p, double& distance, Eigen::Vector3d& point) const;
 
-  /** Call \p test(move) for every segment within \p radius() of \p p, the nearest boxes first. The radius may
-   * shrink during the search. A segment may be passed twice. */
+  /** Call \p test(move) for every segment within \p radius() of \p p, the nearest boxes first, and for those of its group. The radius
+   * may shrink during the search. A segment may be passed twice. */
   template <typename Radius, typename Test>
   void search(const Eigen::Vector3d& p, const Radius& radius, const Test& test) const
   {
@@ -54,7 +54,8 @@ public:
         continue;
       const std::uint32_t next = next_[entry.node];
       if (next & leaf) {
-        test(static_cast<std::size_t>(next & ~leaf));
+        for (std::uint32_t move = next & most_moves, last = move + (next >> count_shift & 3u); move <= last; ++move)
+          test(static_cast<std::size_t>(move));
         limit = squared(radius());
         continue;
       }
@@ -70,19 +71,16 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t leaf = 0x80000000u;
+  /** What next_ has of a leaf: this mark, its number of moves less one, and the first of them. */
+  static constexpr std::uint32_t leaf = 0x80000000u, count_shift = 29, most_moves = 0x1fffffffu;
 
   struct alignas(16) Box4 { // relative to origin_; the fourth is 0
     std::array<float, 4> low, high;
   };
-  struct Piece {
-    Box4 box;
-    std::uint32_t move;
-  };
   /** Pieces that follow each other. */
   struct Group {
     Box4 box;
-    std::uint32_t first, count;
+    std::uint32_t leaf; ///< its moves, as in next_
   };
 
   static void extend(Box4& box, const Box4& other)
@@ -105,17 +103,14 @@ private:
     const double wide = radius * (1.0 + 1e-6) + slack_;
     return static_cast<float>(wide * wide);
   }
-  std::vector<Piece> pieces() const;
-  static std::vector<Group> groups(const std::vector<Piece>& pieces);
-  void build(std::vector<Group>& groups, std::size_t first, std::size_t last, const std::vector<Piece>& pieces, std::size_t node,
-             std::size_t free);
-  void build(const std::vector<Piece>& pieces, std::size_t first, std::size_t last, std::size_t node, std::size_t free);
+  std::vector<Group> groups() const;
+  void build(std::vector<Group>& groups, std::size_t first, std::size_t last, std::size_t node, std::size_t free);
 
   const Polyline& line_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   double slack_ = 0.0;
   std::vector<Box4> boxes_;
-  std::vector<std::uint32_t> next_; ///< of a node: its first child, the second follows; of a leaf: its move
+  std::vector<std::uint32_t> next_; ///< of a node: its first child, the second follows; of a leaf: its moves
 };
 
 } // namespace pcl_spiral
