@@ -8,6 +8,6 @@
 #include <string>
 
 /** Runs \p body, which returns the program's exit code, and reports errors on stderr. Unless OMP_WAIT_POLICY or GOMP_SPINCOUNT is set,
- *  the program first starts itself again, with \p argv, threads that sleep while they wait, and large pages of memory. \return that code; 1 if
- *  data or a file failed, 2 for a wrong command line */
+ *  the program first starts itself again, with \p argv, threads that sleep while they wait, and large pages of memory. \return that
+ *  code; 1 if data or a file failed, 2 for a wrong command line */
 int runProgram(const std::string& name, char* const* argv, const std::function<int()>& body);
