@@ -13,7 +13,8 @@ PYBIND11_MODULE(_core, module)
   addPlanning(module, tables);
   addPrograms(tables);
   addVerification(module, tables);
-  addStages(module, tables);
+  addSurfaceStages(module, tables);
+  addSpiralStages(module, tables);
   module.def("_say", [](const std::map<std::string, std::string>& words, const std::string& sentence) {
     raise("failed", pcl_spiral::Diagnostic(sentence.c_str()),
           Words({words, false, nullptr, nullptr})); // as a call with these keywords says it: for tests

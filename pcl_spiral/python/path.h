@@ -62,7 +62,8 @@ void addPath(py::module_& module);
 void addPlanning(py::module_& module, py::dict& tables);
 void addPrograms(py::dict& tables);
 void addVerification(py::module_& module, py::dict& tables);
-void addStages(py::module_& module, py::dict& tables);
+void addSurfaceStages(py::module_& module, py::dict& tables);
+void addSpiralStages(py::module_& module, py::dict& tables);
 /** @} */
 
 } // namespace pcl_spiral::python
