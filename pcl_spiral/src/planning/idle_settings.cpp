@@ -57,6 +57,9 @@ idleSetting(const AskedNames& asked, const SpiralSettings& settings, const Asked
   rules.require(!job.on_mesh,
                 {"columns", "skip_lines", "raw_scan", "ball_closing", "thin", "outlier_neighbours", "crop", "regions", "keep_outs"},
                 of_scan);
+  rules.require(!job.keeps_axis, {"verify", "stock", "max_gouge", "max_scallop", "max_deviation", "max_uncut", "raw_scan", "reach"},
+                ": with {setBallClosing} the path runs over a closed {scan}, and is checked against every point of the {scan}; leave this "
+                "out");
   rules.require(job.on_mesh, {"sample_spacing"},
                 ": a scan has its own points; add {setInputMesh} to use the faces of the file, or leave it out");
   rules.require(job.has_holder, {"flank_length"}, ": no {setHolder} is given, and only the holder begins there; give one, or leave it out");

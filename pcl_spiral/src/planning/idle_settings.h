@@ -52,7 +52,7 @@ struct AskedJob {
   bool on_mesh = false;
   bool has_holder = false;
   bool checks_gouges = true; ///< of passes over a mesh
-  bool keeps_axis = false;   ///< of a spiral: by closing with the ball
+  bool keeps_axis = false;   ///< of a spiral over a scan that is closed by the ball
 };
 
 /** Of a spiral. */

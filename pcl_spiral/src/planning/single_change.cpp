@@ -184,19 +184,34 @@ private:
     SingleChange change{{"{setBallClosing(true)}", "with a fixed tool axis"}, input_, false, separate};
     change.input.ball_closing = true;
     leaveOutIdle(change);
-    if (checkClosable(change.input).ok())
+    if (checkClosable(change.input).ok() && goesWithClosing(change.input))
       found_.push_back(std::move(change));
+  }
+
+  /** Of a scan that is closed. */
+  static AskedJob closedJob()
+  {
+    AskedJob job;
+    job.has_holder = job.keeps_axis = true;
+    return job;
+  }
+
+  /** Whether all that was asked for beside the settings of \p changed goes with the closing. */
+  static bool goesWithClosing(PlanInput changed)
+  {
+    AskedNames others = changed.asked;
+    for (const Setting& setting : settingTable(changed.settings))
+      others.erase(setting.name);
+    return !idleSetting(others, changed.settings, closedJob());
   }
 
   /** Leaves out what has no effect with an axis that stays: programs refuse it. */
   static void leaveOutIdle(SingleChange& change)
   {
-    AskedJob job;
-    job.has_holder = job.keeps_axis = true;
     SpiralSettings usual;
     const std::vector<Setting> given = settingTable(change.input.settings), defaults = settingTable(usual);
     for (std::size_t i = 0; i < given.size(); ++i)
-      if (textOf(given[i]) != textOf(defaults[i]) && idleSetting({given[i].name}, change.input.settings, job)) {
+      if (textOf(given[i]) != textOf(defaults[i]) && idleSetting({given[i].name}, change.input.settings, closedJob())) {
         copyValue(defaults[i], given[i]);
         change.words.aside += Diagnostic(", ", without(given[i].setter));
       }

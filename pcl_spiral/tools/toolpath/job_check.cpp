@@ -39,18 +39,12 @@ checkCutter(const Job& job)
     throw UsageError(status.diagnostic());
 }
 
-/** Checks --mesh, and the options that closing by the ball does not use. */
+/** Checks --mesh. */
 void
 checkMesh(const Job& job)
 {
-  if (!job.mesh) {
-    for (const char* option : {"verify", "stock", "max-gouge", "max-scallop", "max-deviation", "max-uncut", "raw-scan", "reach"})
-      if (job.ball_closing && job.given.count(option) > 0)
-        throw UsageError(pcl_spiral::Diagnostic("--", option,
-                                                ": with --ball-closing the path runs over a closed scan, and is checked against every "
-                                                "point of the scan; leave this option out"));
+  if (!job.mesh)
     return;
-  }
   const auto& known = pcl_spiral::meshExtensions();
   if (const std::string extension = extensionOf(job.scan);
       !extension.empty() && std::find(known.begin(), known.end(), extension) == known.end())

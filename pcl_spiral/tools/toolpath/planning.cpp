@@ -5,6 +5,7 @@
 #include "program/program_check.h"
 #include "terminal/failure.h"
 #include "terminal/file_names.h"
+#include "terminal/idle_options.h"
 #include "terminal/scan_places.h"
 #include "terminal/terminal.h"
 #include "terminal/vocabulary.h"
@@ -105,6 +106,7 @@ setHolder(const Job& job, SpiralPlanner<pcl::PointXYZ>& planner)
   planner.setFlankLength(job.flank_length);
   planner.setBallClosing(job.ball_closing);
   planner.setRemedyTries(job.remedy_tries);
+  planner.setAskedNames(askedNames(job.given));
   planner.setHolder(job.holder);
   planner.setHolderClearance(job.holder_clearance);
   planner.setAcceptCollisions(job.program.accept_collisions);

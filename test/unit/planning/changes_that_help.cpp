@@ -376,6 +376,25 @@ TEST(ChangesThatHelp, TheClosingIsNotTriedBesideWhatItRefuses)
   EXPECT_FALSE(isTried([](PlanInput& i) { i.settings.flip_normals = true; }));
 }
 
+TEST(ChangesThatHelp, TheClosingIsNotTriedBesideWhatJudgesByTheSurfaceOfTheScan)
+{
+  PlanInput input;
+  input.cloud = plate();
+  input.settings.tool_radius = 3.0;
+  input.settings.scallop_height = 0.05;
+  input.settings.view_point = Vector3d(0.0, 0.0, 500.0);
+  const std::vector<std::string> tried{"setBallClosing(true), with a fixed tool axis"};
+  for (const char* name : {"verify", "stock", "max_gouge", "max_scallop", "max_deviation", "max_uncut", "raw_scan", "reach"}) {
+    input.asked = {name};
+    EXPECT_TRUE(wordsOf(input, "anything").empty()) << name;
+  }
+  input.asked = {"tool_radius", "flank_length", "machine"};
+  EXPECT_EQ(wordsOf(input, "anything"), tried);
+  input.asked = {"tilt"};
+  input.settings.tilt_angle = 5.0;
+  EXPECT_EQ(wordsOf(input, "anything"), std::vector<std::string>{tried.front() + ", without setTiltAngle"});
+}
+
 TEST(ChangesThatHelp, TheKeepOutThatIsEnteredGrows)
 {
   PlanInput input;

@@ -2,6 +2,7 @@
 // A change that a refusal names can be typed as it stands: the options' reader makes the input of it that the planner tried.
 #include "planning/single_change.h"
 #include "support/typed_words.h"
+#include "terminal/idle_options.h"
 #include "terminal/vocabulary.h"
 #include "toolpath/command_line.h"
 
@@ -42,6 +43,7 @@ inputOf(const Job& job)
     input.choice.part_at = placeInScan(place, readAsScan(job.read));
   input.ball_closing = job.ball_closing;
   input.flank_length = job.flank_length;
+  input.asked = askedNames(job.given);
   return input;
 }
 
@@ -115,6 +117,26 @@ TEST(TypedChanges, GiveWhatWasTried)
                                        "--hole-size",    "--holes",      "--keep-out", "--method",       "--part-at",
                                        "--scallop",      "--sense",      "--thin",     "--tilt",         "--tool-radius"};
   EXPECT_EQ(options, expected);
+}
+
+/** The program refuses these beside the closing, and so no message names it. */
+TEST(TypedChanges, TheClosingIsNotNamedBesideWhatItRefuses)
+{
+  const std::vector<Words> refused{{"--verify"},
+                                   {"--max-gouge", "0.1"},
+                                   {"--max-scallop", "1"},
+                                   {"--max-uncut", "1"},
+                                   {"--max-deviation", "1"},
+                                   {"--raw-scan", "raw.xyz"},
+                                   {"--reach", "reach.ply"}};
+  for (const Words& more : refused) {
+    Words command = usual;
+    command.insert(command.end(), more.begin(), more.end());
+    EXPECT_EQ(typeEach(command).count("--ball-closing"), 0U) << more.front();
+    command.push_back("--ball-closing");
+    EXPECT_THROW(parsed(command), UsageError) << more.front();
+  }
+  EXPECT_EQ(typeEach(usual).count("--ball-closing"), 1U);
 }
 
 TEST(TypedChanges, TwoTogetherArePastedAsTheyStand)

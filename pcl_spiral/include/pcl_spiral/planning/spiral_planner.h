@@ -12,6 +12,8 @@
 #include <pcl/PolygonMesh.h>
 
 #include <memory>
+#include <set>
+#include <string>
 
 namespace pcl_spiral {
 
@@ -92,6 +94,10 @@ public:
    *  A path that is found at once costs nothing more. */
   void setRemedyTries(int paths) { plan_input_.remedy_tries = paths; }
   int getRemedyTries() const { return plan_input_.remedy_tries; } ///< The value of setRemedyTries; 3 by default.
+  /** Names of what is asked for beside the settings, as "verify" or "reach", options of pcl_spiral_toolpath: no change is tried that the
+   *  program refuses beside one of them. None by default. */
+  void setAskedNames(const std::set<std::string>& names) { plan_input_.asked = names; }
+  const std::set<std::string>& getAskedNames() const { return plan_input_.asked; } ///< The value of setAskedNames.
 
   /** The plan has the surface of each region, as for a check of the path; off by default: it is made if planning needs it. */
   void setKeepSurface(bool keep) { plan_input_.keep_surface = keep; }

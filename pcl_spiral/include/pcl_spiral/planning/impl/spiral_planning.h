@@ -12,6 +12,8 @@
 #include <pcl/pcl_base.h>
 
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace pcl_spiral {
@@ -34,6 +36,7 @@ struct PlanInput {
   bool accept_collisions = false;                             ///< of shank and holder: they are warnings
   bool ball_closing = false;                                  ///< the scan is closed by the ball along the tool axis
   bool keep_surface = false;                                  ///< the plan has the surface of each region
+  std::set<std::string> asked;                                ///< what else was asked for: names of idle_settings.h
   int remedy_tries = 3;                                       ///< about how many paths a search for a change that helps may cost
   std::shared_ptr<Surface::ConstPtr> kept_surface;            ///< where the surface is kept from plan to plan; null: it is not
   std::shared_ptr<double> paths_left;                         ///< how many paths tries may still cost; null: no bound
