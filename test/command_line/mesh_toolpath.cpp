@@ -125,7 +125,7 @@ TEST_F(MeshToolpath, ContactsLieOnTheExactSurface)
   EXPECT_LE(off.back(), 0.015);
 }
 
-TEST_F(MeshToolpath, JudgedByTheMeshAndToldInTheReports)
+TEST_F(MeshToolpath, JudgedByTheMeshAsTheReportsSay)
 {
   const RunResult result = run(hills(), {"--verify", "-o", "a.vtp"});
   ASSERT_EQ(result.code, 0) << result.err;

@@ -225,7 +225,7 @@ TEST(Program, AJobFileHoldsTheSameNames)
     EXPECT_TRUE(std::filesystem::exists(folder.path(picture))) << picture;
 }
 
-TEST(Program, WithoutAMachineFileTheUserIsToldWhatWasTaken)
+TEST(Program, WithoutAMachineFileTheMessageSaysWhatWasTaken)
 {
   const ScratchFolder folder;
   const RunResult done = run(folder, {"-o", "part.ngc"});

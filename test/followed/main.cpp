@@ -15,7 +15,7 @@ using namespace pcl_spiral::followed;
 
 namespace {
 
-constexpr const char* ends[] = {"at once", "right", "wrong", "told", "dead end", "loop"};
+constexpr const char* ends[] = {"at once", "right", "wrong", "reported", "dead end", "loop"};
 
 struct Choice {
   std::vector<std::string> kinds = pcl_spiral::followed::kinds();

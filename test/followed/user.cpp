@@ -96,7 +96,7 @@ follow(const RefusedInput& input, const std::string& program, const ScratchFolde
     if (done.commands == 0)
       done.planner_named = plannerTried(result.err);
     if (onlyAnotherScan(result.err)) {
-      done.end = End::Told;
+      done.end = End::Reported;
       return done;
     }
     const std::vector<Command> changes = namedChanges(input, command, result.err, folder);

@@ -18,7 +18,7 @@ enum class End {
   PathAtOnce, ///< nothing was refused
   Right,      ///< a path that is right by the raw points, within three commands after the refusal
   Wrong,      ///< a path that cuts into the raw points
-  Told,       ///< a refusal that says that nothing but another scan helps
+  Reported,   ///< a refusal that says that nothing but another scan helps
   DeadEnd,    ///< a refusal that names nothing that can be done, or four refusals
   Loop        ///< all that the refusal names was done before
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/changes_tried.h"
 
+#include "planning/input_tables.h"
 #include "planning/lacking_points.h"
 #include "planning/scan_clearance.h"
 #include "spiral/scan_warnings.h"
@@ -79,7 +80,7 @@ public:
   {
     if (std::optional<Diagnostic> found = tryEach(input_, refused, nullptr))
       return *found;
-    const Diagnostic alone = words_;
+    const Diagnostic alone = std::exchange(words_, Diagnostic());
     const std::vector<Step> steps = std::move(refused_);
     surface_.reset();
     for (const Step& step : steps)
@@ -87,8 +88,10 @@ public:
         return *found;
     if (stopped_)
       return ". The search for a change that gives a path was stopped";
-    const Diagnostic tried = alone.empty() ? Diagnostic(". There is no single change of the settings to try")
-                                           : ". Of changes that were tried, none gives a path: " + alone;
+    Diagnostic tried = alone.empty() ? Diagnostic(". There is no single change of the settings to try")
+                                     : ". Of changes that were tried, none gives a path: " + alone;
+    if (!words_.empty())
+      tried += "; nor do two together: " + words_;
     return tried + (spent_ ? boundText() : lackOf(input_, refused.status.diagnostic()));
   }
 
@@ -116,7 +119,7 @@ private:
         return Diagnostic(". Of single changes that were tried, ",
                           words.changes == 1 ? "one gives " : "none gives a path, but two together give ", figuresOf(with), ": ",
                           words.all());
-      words_ += Diagnostic(words_.empty() ? "" : "; ", change.words.all());
+      words_ += Diagnostic(words_.empty() ? "" : "; ", words.all());
       if (!status.ok() && status.code() != StatusCode::InvalidArgument && status.diagnostic() != refused.status.diagnostic())
         refused_.push_back({change, {status, wasLate(with.attempts)}});
     }
@@ -128,8 +131,8 @@ private:
   {
     constexpr double further = 4.0; // times as far: two more commands reach what takes dozens of tries
     const double tries = input_.remedy_tries;
-    return Diagnostic(". The search ended after ", Given("setRemedyTries", tries), "; ", Given("setRemedyTries", further * tries),
-                      " tries more");
+    return Diagnostic(". The search ended after ", Given("setRemedyTries", tries), "; ",
+                      Given("setRemedyTries", std::min(further * tries, most_remedy_tries)), " tries more");
   }
 
   /** The share stays where it was. */
@@ -147,7 +150,7 @@ private:
   const PlanChanged& plan_;
   std::shared_ptr<Surface::ConstPtr> surface_; ///< of the input, once it is made; null: each try makes its own
   std::vector<Step> refused_;                  ///< changes that gave no path
-  Diagnostic words_;                           ///< of the changes tried
+  Diagnostic words_;                           ///< of the changes tried: each alone, or two together
   std::shared_ptr<double> left_;               ///< PlanInput::paths_left
   std::size_t tried_ = 0;                      ///< changes
   bool stopped_ = false;                       ///< by the progress callback

@@ -40,7 +40,7 @@ remedyTries(int& tries)
 {
   return Setting("remedy_tries", "setRemedyTries", "search for a remedy",
                  "how many paths a search for a single change may cost that gives a path where there is none; 0: no search", "0", tries)
-      .in("paths", NumberRange::from(0.0));
+      .in("paths", NumberRange::from(0.0).upTo(most_remedy_tries));
 }
 
 std::vector<Setting>

@@ -15,6 +15,9 @@ namespace pcl_spiral {
 /** The measures of a cutter; \p radius: what its radius may be. */
 std::vector<Setting> cutterTable(CutterShape& cutter, const NumberRange& radius);
 
+/** No search comes near it; whole numbers of 32 bits hold it. */
+constexpr double most_remedy_tries = 1e9;
+
 /** How many paths a search for a change that helps may cost. */
 Setting remedyTries(int& tries);
 

@@ -3,6 +3,7 @@
 
 #include "planning/changes_tried.h"
 #include "planning/closed_scan.h"
+#include "planning/input_tables.h"
 #include "planning/joined_plan.h"
 #include "planning/mesh_samples.h"
 #include "planning/plan_attempt.h"
@@ -132,9 +133,9 @@ checkSettings(const PlanInput& input)
   if (!(input.sample_spacing >= 0.0))
     return {StatusCode::InvalidArgument, Diagnostic("the distance of samples is ", input.sample_spacing,
                                                     " {mm}: set it above 0 ({setSampleSpacing}), or 0 to find it from the mesh")};
-  if (input.remedy_tries < 0)
-    return {StatusCode::InvalidArgument, Diagnostic("a search for a remedy may cost ", input.remedy_tries,
-                                                    " paths: set it above 0, or 0 for no search ({setRemedyTries})")};
+  if (int tries = input.remedy_tries; !remedyTries(tries).range.takes(tries))
+    return {StatusCode::InvalidArgument, Diagnostic("a search for a remedy may cost ", tries, " paths ({setRemedyTries}): it ",
+                                                    ruleOf(remedyTries(tries)), " for no search")};
   if (input.regions.size() > 1 && input.settings.centre)
     return {StatusCode::InvalidArgument, "a centre ({setCenter}) belongs to one region, and several are given ({addRegion}): plan each "
                                          "region by its own, or leave the centre out"};

@@ -51,10 +51,10 @@ struct TakeText {
   const std::string& name;
   const std::string& text;
   void operator()(bool* target) const { switchOption(name, "", *target).set(text); }
-  void operator()(int* target) const { *target = wholeNumberValue(name, text); }
+  void operator()(int* target) const { *target = wholeNumber(); }
   void operator()(unsigned int* target) const
   {
-    const int number = wholeNumberValue(name, text);
+    const int number = wholeNumber();
     requireOption(number >= 0, name, number, ruleOf(setting));
     *target = static_cast<unsigned int>(number);
   }
@@ -66,6 +66,15 @@ struct TakeText {
   {
     if (!target.take(text))
       throw UsageError(Diagnostic("--", name, " ", text, ": must be one of ", target.words));
+  }
+
+private:
+  /** In the range of the setting, also where that is too large for a whole number. */
+  int wholeNumber() const
+  {
+    const double number = numberValue(name, text);
+    requireOption(setting.range.takes(number), name, number, ruleOf(setting));
+    return wholeNumberValue(name, text);
   }
 };
 

@@ -28,8 +28,11 @@ requireOption(bool holds, const std::string& option, double value, const pcl_spi
 int
 wholeNumberValue(const std::string& name, const std::string& value)
 {
+  constexpr double most = 1e9;
   const double result = numberValue(name, value);
-  if (result != std::round(result) || std::abs(result) > 1e9)
+  requireOption(std::abs(result) <= most, name, result,
+                pcl_spiral::Diagnostic("must be from ", -static_cast<long long>(most), " to ", static_cast<long long>(most)));
+  if (result != std::round(result))
     throw UsageError(pcl_spiral::Diagnostic("--", name, " ", value, ": this is not a whole number; write it as 4"));
   return static_cast<int>(result);
 }

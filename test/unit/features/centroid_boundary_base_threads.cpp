@@ -29,7 +29,7 @@ protected:
 using Base = pcl::BoundaryEstimation<NewPoint, pcl::Normal, pcl::Boundary>;
 using Estimation = pcl_spiral::CentroidBoundaryEstimation<NewPoint, pcl::Normal>;
 
-TEST(CentroidBoundaryEstimation, ANumberOfThreadsToldToTheBaseCounts)
+TEST(CentroidBoundaryEstimation, ANumberOfThreadsSetInTheBaseCounts)
 {
   Estimation estimation;
   Base& base = estimation;
@@ -44,7 +44,7 @@ TEST(CentroidBoundaryEstimation, ANumberOfThreadsToldToTheBaseCounts)
   EXPECT_EQ(base.told(), 4u);
 }
 
-TEST(CentroidBoundaryEstimation, ANumberNobodyMeansIsRefusedHoweverTold)
+TEST(CentroidBoundaryEstimation, ANumberNobodyMeansIsRefusedHoweverSet)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
   pcl::PointCloud<NewPoint>::Ptr cloud(new pcl::PointCloud<NewPoint>);

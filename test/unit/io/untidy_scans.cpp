@@ -168,7 +168,7 @@ TEST_F(UntidyScans, CountsAboveThePointsAreTheirNumber)
   expectProblem("i.xyz", "1.5 2\n" + rows, "line 1: 2 column(s)");
 }
 
-TEST_F(UntidyScans, TitlesArePassedOverAndTold)
+TEST_F(UntidyScans, TitlesArePassedOverAndReported)
 {
   const auto expectTold = [this](const std::string& name, const std::string& content, const std::string& words) {
     const Scan scan = expectPoints(name, content);

@@ -51,7 +51,7 @@ TEST(MeshSpiral, ContactsLieOnTheExactLandform)
   EXPECT_LE(off.back(), 0.015);
 }
 
-TEST(MeshSpiral, FindingsAreToldInOneLine)
+TEST(MeshSpiral, FindingsAreReportedInOneLine)
 {
   MeshCounts counts;
   counts.parts = 1;

@@ -242,7 +242,7 @@ TEST(BallClosingPlans, CoarseScansAreNotCut)
   EXPECT_EQ(planner.getReport().side.vote, SideVote::ToolAxis);
 }
 
-TEST(BallClosingPlans, PointsThatTheFilterTakesForEchoesAreTold)
+TEST(BallClosingPlans, PointsThatTheFilterTakesForEchoesAreReported)
 {
   const Cloud::Ptr scan = blockOnTable();
   scan->push_back({0.0f, 0.0f, 20.0f}); // 5 mm over the block

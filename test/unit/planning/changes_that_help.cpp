@@ -89,7 +89,7 @@ TEST(ChangesThatHelp, TheOneIsNamedWithTheLengthOfItsPath)
       << changed.getReport().path_length << " mm: " << refused.getStatus().message();
 }
 
-TEST(ChangesThatHelp, TheRadiusToldFitsAGroove)
+TEST(ChangesThatHelp, TheRadiusNamedFitsAGroove)
 {
   const double fillet = 2.0;
   const ScanPtr groove = valley(0.7, fillet, 9.0, 9.0).scan(0.4, 0.0, 11);
@@ -109,15 +109,15 @@ TEST(ChangesThatHelp, TheRadiusToldFitsAGroove)
   const auto ball = std::find_if(changes.begin(), changes.end(), [](const SingleChange& c) { return c.input.settings.tool_radius < 3.0; });
   ASSERT_NE(ball, changes.end());
   EXPECT_TRUE(ball->named);
-  const double told = ball->input.settings.tool_radius;
-  EXPECT_LE(told, fillet);
-  EXPECT_GT(1.3 * told, fillet);
-  EXPECT_TRUE(statusWith(told).ok()) << statusWith(told).message();
-  EXPECT_FALSE(statusWith(1.3 * told).ok());
+  const double named = ball->input.settings.tool_radius;
+  EXPECT_LE(named, fillet);
+  EXPECT_GT(1.3 * named, fillet);
+  EXPECT_TRUE(statusWith(named).ok()) << statusWith(named).message();
+  EXPECT_FALSE(statusWith(1.3 * named).ok());
 }
 
 /** Its radius is that of the fit: a ball that fits this need not give a path. */
-TEST(ChangesThatHelp, NoRadiusIsToldForAnInnerEdge)
+TEST(ChangesThatHelp, NoRadiusIsNamedForAnInnerEdge)
 {
   for (const double angle : {80.0, 110.0, 140.0}) {
     const ScanPtr scan(new pcl::PointCloud<pcl::PointXYZ>);
@@ -138,15 +138,15 @@ TEST(ChangesThatHelp, NoRadiusIsToldForAnInnerEdge)
     Spiral large;
     const Status refusal = planWith(6.0, large);
     ASSERT_FALSE(refusal.ok()) << angle;
-    const std::vector<Proposed> told = refusal.diagnostic().proposed();
-    EXPECT_EQ(told.empty(), angle < 95.0) << angle << ": " << refusal.message();
-    for (const Proposed& proposed : told) {
+    const std::vector<Proposed> proposals = refusal.diagnostic().proposed();
+    EXPECT_EQ(proposals.empty(), angle < 95.0) << angle << ": " << refusal.message();
+    for (const Proposed& proposed : proposals) {
       Spiral fitting;
       const Status status = planWith(std::get<double>(proposed.value), fitting);
       EXPECT_TRUE(status.ok() && isClear(fitting.getPlan())) << angle << ": " << refusal.message() << "\n  then: " << status.message();
     }
     for (const SingleChange& change : singleChanges(large.input(), {refusal, true}))
-      EXPECT_TRUE(!told.empty() || change.input.settings.tool_radius == 6.0) << angle << ": " << change.words.all();
+      EXPECT_TRUE(!proposals.empty() || change.input.settings.tool_radius == 6.0) << angle << ": " << change.words.all();
   }
 }
 
@@ -269,6 +269,38 @@ TEST(ChangesThatHelp, WhatTheBoundLeftUntriedIsSaidWithTheNextBound)
   EXPECT_NE(messageOf(2).find("two together give a path of"), std::string::npos) << planner.getStatus().message();
 }
 
+TEST(ChangesThatHelp, AListOfChangesInVainHasThoseOfTwoTogether)
+{
+  PlanInput input;
+  input.cloud = plate();
+  input.settings.hole_size = 6.0;
+  const Status refusal(StatusCode::Failed,
+                       Diagnostic("a hole ({setHoleSize}), and {setScallopHeight} ", Proposed("setScallopHeight", 0.2)));
+  const auto refuse = [](const PlanInput&, SpiralPlan&) {
+    return Status(StatusCode::Failed, Diagnostic("too long: {setChordError} ", Proposed("setChordError", 0.4)));
+  };
+  EXPECT_EQ(
+      changeThatHelps(input, refusal, {}, refuse).text(),
+      ". Of changes that were tried, none gives a path: without setHoleSize; setScallopHeight 0.2; nor do two together: setChordError "
+      "0.4, without setHoleSize; setScallopHeight 0.2 and setChordError 0.4");
+}
+
+/** A command names at most what a command takes. */
+TEST(ChangesThatHelp, NoMoreTriesAreProposedThanMayBeGiven)
+{
+  PlanInput input;
+  input.cloud = plate();
+  const Status refusal(StatusCode::Failed, Diagnostic("{setScallopHeight} ", Proposed("setScallopHeight", 0.2)));
+  const auto spend = [](const PlanInput& with, SpiralPlan&) {
+    *with.paths_left = 0.0;
+    return Status(StatusCode::Failed, Diagnostic("too long: {setChordError} ", Proposed("setChordError", 0.4)));
+  };
+  input.remedy_tries = 400000000;
+  const Diagnostic words = changeThatHelps(input, refusal, {}, spend);
+  ASSERT_FALSE(words.given().empty()) << words;
+  EXPECT_EQ(std::get<double>(words.given().back().value), most_remedy_tries) << words;
+}
+
 TEST(ChangesThatHelp, APathIsTheSameWithoutASearch)
 {
   Path with, without;
@@ -288,14 +320,17 @@ TEST(ChangesThatHelp, APathIsTheSameWithoutASearch)
     ASSERT_EQ(with[i].getVector3fMap(), without[i].getVector3fMap());
 }
 
-TEST(ChangesThatHelp, LessThanNoSearchIsRefused)
+TEST(ChangesThatHelp, LessThanNoSearchIsRefusedAndMoreThanIsCounted)
 {
-  Spiral planner;
-  prepare(plate(), planner);
-  planner.setRemedyTries(-1);
-  planner.compute();
-  EXPECT_EQ(planner.getStatus().code(), StatusCode::InvalidArgument);
-  EXPECT_EQ(lastNamed(planner), "setRemedyTries");
+  for (const int paths : {-1, 1000000001}) {
+    Spiral planner;
+    prepare(plate(), planner);
+    planner.setRemedyTries(paths);
+    planner.compute();
+    EXPECT_EQ(planner.getStatus().code(), StatusCode::InvalidArgument);
+    EXPECT_EQ(lastNamed(planner), "setRemedyTries");
+    EXPECT_NE(planner.getStatus().message().find("must be from 0 to 1000000000 paths"), std::string::npos) << planner.getStatus().message();
+  }
 }
 
 /** The changes that a refusal names, as a user gives them. */

@@ -95,7 +95,7 @@ TEST(GivenLines, ThatCannotBeDrawnOnAreRefused)
   });
 }
 
-TEST(GivenLines, NoiseIsToldAsWithoutThem)
+TEST(GivenLines, NoiseIsReportedAsWithoutThem)
 {
   const Part part = dome(0.05);
   for (const bool given : {false, true}) {

@@ -166,7 +166,7 @@ TEST(DeviationEstimation, OneNormalOffIsFound)
   EXPECT_NEAR(m.figures.motion.normal_change.value, 5.0, 1.0);
 }
 
-TEST(DeviationEstimation, ReversedNormalsAreToldAndPlaced)
+TEST(DeviationEstimation, ReversedNormalsAreReportedWithTheirPlace)
 {
   const SurfacePtr surface = saddle();
   CheckedPath path = passes(*surface);
