@@ -23,7 +23,6 @@ namespace {
 
 constexpr double all_points = 0.98;  // share of the points: a path over fewer does not cut the whole scan
 constexpr double least_points = 0.1; // the same: a path over fewer cuts a thing on the part, or beside it, such as a clamp
-constexpr double deepest = 0.3;      // radii of the ball in a point: deeper is no noise, but shape that so few points do not show
 
 /** Whether turns were made. */
 bool
@@ -44,6 +43,13 @@ bool
 runsOver(double share, const SpiralPlan& plan)
 {
   return static_cast<double>(plan.report.used_points) >= share * static_cast<double>(scanPoints(plan));
+}
+
+/** Standard deviation of the points. Where a surface misses a part of the shape, the mean square of what is left counts that, too. */
+double
+noiseOf(const SpiralReport& report)
+{
+  return report.missed.least > 0.0 ? std::min(report.noise, report.missed.noise) : report.noise;
 }
 
 /** What the path of \p plan is like. */
@@ -174,7 +180,7 @@ isClear(const SpiralPlan& plan)
   for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
     things.push_back({p.x(), p.y(), p.z()});
   const SpiralSettings& s = plan.settings;
-  const double allowed = std::min(gougeTolerance(s.chord_error, plan.report.noise), deepest * s.tool_radius);
+  const double allowed = gougeTolerance(s.chord_error, noiseOf(plan.report));
   return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= allowed;
 }
 

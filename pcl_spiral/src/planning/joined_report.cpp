@@ -66,6 +66,13 @@ addPlaces(const SpiralReport& one, SpiralReport& all)
   append(one.scallop_lines, all.scallop_lines);
   append(one.finger_axes, all.finger_axes);
   append(one.tight_places, all.tight_places);
+  all.missed.count += one.missed.count;
+  all.missed.noise = std::max(all.missed.noise, one.missed.noise);
+  all.missed.least = std::max(all.missed.least, one.missed.least);
+  if (one.missed.height > all.missed.height) {
+    all.missed.height = one.missed.height;
+    all.missed.place = one.missed.place;
+  }
   if (one.smallest_step_over < all.smallest_step_over) {
     all.smallest_step_over = one.smallest_step_over;
     all.closest_place = one.closest_place;

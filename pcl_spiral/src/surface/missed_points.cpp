@@ -20,15 +20,19 @@ constexpr int least_neighbours = 3;
  *  neither normals nor arcs are known. */
 constexpr float least_cosine = 0.866f;
 
-double
-leastMissed(const SurfaceGraph& graph, std::vector<float> sample)
+/** No points yet. \p sample: heights of some points of \p graph. */
+MissedPoints
+noneMissed(const SurfaceGraph& graph, std::vector<float> sample)
 {
   constexpr double deviation_of_median = 1.4826; // of a normal distribution
   for (float& height : sample)
     height = std::abs(height);
   const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
   std::nth_element(sample.begin(), middle, sample.end());
-  return std::max(missed_spacings * graph.spacing(), missed_deviations * deviation_of_median * static_cast<double>(*middle));
+  MissedPoints missed;
+  missed.noise = deviation_of_median * static_cast<double>(*middle);
+  missed.least = std::max(missed_spacings * graph.spacing(), missed_deviations * missed.noise);
+  return missed;
 }
 
 /** Heights of \p points of the graph over their feet; 0 without one. */
@@ -89,8 +93,7 @@ missedPoints(const SurfaceGraph& graph, const std::vector<float>& heights)
   std::vector<float> sample;
   for (std::size_t i = 0; i < heights.size(); i += every)
     sample.push_back(heights[i]);
-  MissedPoints missed;
-  missed.least = leastMissed(graph, std::move(sample));
+  MissedPoints missed = noneMissed(graph, std::move(sample));
   for (std::size_t i = 0; i < heights.size(); ++i)
     countIfMissed(heights[i], graph.position(i), missed);
   return missed;
@@ -102,8 +105,7 @@ missedPoints(const SurfaceGraph& graph, const MlsSurface& fit)
   std::vector<std::uint32_t> points;
   for (std::uint32_t i = 0; i < graph.size(); i += every)
     points.push_back(i);
-  MissedPoints missed;
-  missed.least = leastMissed(graph, heightsOf(graph, fit, points));
+  MissedPoints missed = noneMissed(graph, heightsOf(graph, fit, points));
   const auto height = worth_a_fit * static_cast<float>(missed.least);
   const auto size = static_cast<std::int64_t>(graph.size());
   std::vector<std::uint8_t> stands_out(graph.size(), 0);

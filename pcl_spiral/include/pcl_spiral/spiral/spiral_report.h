@@ -10,6 +10,7 @@
 #include <pcl_spiral/features/boundary_loop.h>
 #include <pcl_spiral/graph/outer_side.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
+#include <pcl_spiral/surface/impl/missed_points.h>
 
 #include <Eigen/Core>
 
@@ -117,6 +118,7 @@ struct TightFigures {
   double fitting_radius = 0.0;          ///< of the largest ball that reaches everything, at most the tool radius
   double lifted_length = 0.0;           ///< of the path, off the surface where the ball does not reach it
   double largest_lift = 0.0;            ///< off the surface
+  MissedPoints missed;                  ///< points of the scan that stand out of the surface, into which the path cuts
 };
 
 /** The tool axes of the path. */

@@ -50,6 +50,15 @@ holesJson(const SpiralReport& report)
   return holes;
 }
 
+/** Points that stand out of the surface; null if there are none. */
+Json
+missedJson(const MissedPoints& missed)
+{
+  if (missed.count == 0)
+    return {};
+  return {{"count", missed.count}, {"height", missed.height}, {"place", toJson(missed.place)}};
+}
+
 /** What the ball does not reach; null with TightHandling::Refuse and with the published method. */
 Json
 tightJson(const SpiralReport& report)
@@ -66,6 +75,7 @@ tightJson(const SpiralReport& report)
   return {{"fitting_radius", report.fitting_radius},
           {"lifted_length", report.lifted_length},
           {"largest_lift", report.largest_lift},
+          {"missed", missedJson(report.missed)},
           {"places", places}};
 }
 

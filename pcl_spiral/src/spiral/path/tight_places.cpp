@@ -60,6 +60,12 @@ tightestOf(const Surface& surface, double radius)
 
 } // namespace
 
+std::optional<double>
+fittingBall(double tightest, double spacing)
+{
+  return tightest < edge * spacing ? std::nullopt : std::optional<double>(remedyRadius(tightest));
+}
+
 void
 TightPlaces::add(const SurfaceFoot& foot)
 {
@@ -94,13 +100,13 @@ TightPlaces::refusal(const Diagnostic& what, const Surface* surface) const
 {
   const std::size_t places = count();
   const double tightest = surface ? tightestOf(*surface, radius_) : radius_;
-  return {
-      StatusCode::Failed,
-      Diagnostic("the surface is hollow with radius ", radius_, " {mm} at ", Place(place_), ", tighter than the tool radius ", tool_radius_,
-                 " {mm}: the cutter would gouge; let the ball ride over such places ({setTightHandling})",
-                 surface && tightest < edge * surface->spacing() ? edgeText(surface->spacing()) : smallerTool(tightest, surface != nullptr),
-                 ". This is the tightest of ", feet_.size(), " ", what, " that are too tight, in ", places,
-                 places == 1 ? " place" : " separate places")};
+  return {StatusCode::Failed,
+          Diagnostic("the surface is hollow with radius ", radius_, " {mm} at ", Place(place_), ", tighter than the tool radius ",
+                     tool_radius_, " {mm}: the cutter would gouge; let the ball ride over such places ({setTightHandling})",
+                     surface && !fittingBall(tightest, surface->spacing()) ? edgeText(surface->spacing())
+                                                                           : smallerTool(tightest, surface != nullptr),
+                     ". This is the tightest of ", feet_.size(), " ", what, " that are too tight, in ", places,
+                     places == 1 ? " place" : " separate places")};
 }
 
 Status

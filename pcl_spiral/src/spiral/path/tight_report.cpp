@@ -8,6 +8,7 @@
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/spiral/impl/path_reversals.h>
+#include <pcl_spiral/spiral/impl/tight_places.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,11 +87,21 @@ stockText(const std::vector<TightPlace>& places)
                     " {mm2} in all; no scallop height is promised there");
 }
 
+/** Which ball reaches everything; {setTightHandling(TightHandling::Refuse)} does not refuse it. */
 Diagnostic
-hollowWarning(const std::vector<TightPlace>& places, double fitting_radius)
+fittingText(const SpiralReport& report)
 {
-  return Diagnostic("the ball does not reach ", stockText(places), ". A ball of radius ", fitting_radius,
-                    " {mm} reaches everything ({setToolRadius}); {BallReach} maps the largest ball at each point, and "
+  if (const std::optional<double> radius = fittingBall(report.fitting_radius, report.spacing))
+    return Diagnostic("a ball of radius ", *radius, " {mm} or less reaches everything");
+  return Diagnostic("no ball is named that reaches everything, as an inner edge, tighter than the ", report.spacing,
+                    " {mm} between the points, has no radius {on the scan}");
+}
+
+Diagnostic
+hollowWarning(const std::vector<TightPlace>& places, const SpiralReport& report)
+{
+  return Diagnostic("the ball does not reach ", stockText(places), ": ", fittingText(report),
+                    " ({setToolRadius}); {BallReach} maps the largest ball at each point, and "
                     "{setTightHandling(TightHandling::Refuse)} refuses such "
                     "parts");
 }
@@ -126,9 +137,7 @@ reportBallReversals(const SpiralPath& path, const SpiralSettings& settings, Spir
         "the ball turns back at ", reversals.count, reversals.count == 1 ? " place" : " places", " (", reversals.lifted,
         " of them where it is lifted), by up to ", reversals.angle, " {degrees} at ", Place(reversals.place), " in turn ", reversals.turn,
         ", while its path over the surface runs on: the surface there is as hollow as the ball or more; ",
-        report.fitting_radius < settings.tool_radius ? Diagnostic("a ball of radius ", report.fitting_radius, " {mm} reaches everything")
-                                                     : Diagnostic("a smaller ball runs on"),
-        " ({setToolRadius})"));
+        report.fitting_radius < settings.tool_radius ? fittingText(report) : Diagnostic("a smaller ball runs on"), " ({setToolRadius})"));
 }
 
 } // namespace
@@ -210,9 +219,12 @@ reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings
   report.fitting_radius = reach.radius();
   for (const UnreachedPoint& point : reach.unreached())
     report.fitting_radius = std::min<double>(report.fitting_radius, point.reach);
+  if (report.fitting_radius < reach.radius()) // by the points that it reaches within the tolerance, too, as a refusal
+    report.fitting_radius = std::min(report.fitting_radius, reach.tightest());
   measureLifts(path, reach.tolerance(), report);
-  if (reach.missed().count > 0)
-    report.warnings.push_back(missedWarning(reach.missed()));
+  report.missed = reach.missed();
+  if (report.missed.count > 0)
+    report.warnings.push_back(missedWarning(report.missed));
   reportBallReversals(path, settings, report);
   report.tight_places = placesOf(reach, settings.scallop_height);
   for (const bool under_cluster : {false, true}) {
@@ -220,7 +232,7 @@ reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings
     std::copy_if(report.tight_places.begin(), report.tight_places.end(), std::back_inserter(places),
                  [&](const TightPlace& place) { return place.under_cluster == under_cluster; });
     if (!places.empty())
-      report.warnings.push_back(under_cluster ? clusterWarning(places) : hollowWarning(places, report.fitting_radius));
+      report.warnings.push_back(under_cluster ? clusterWarning(places) : hollowWarning(places, report));
   }
 }
 

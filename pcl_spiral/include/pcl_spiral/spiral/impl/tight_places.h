@@ -9,6 +9,7 @@
 #include <pcl_spiral/spiral/radial_line.h>
 #include <pcl_spiral/surface/surface.h>
 
+#include <optional>
 #include <vector>
 
 namespace pcl_spiral {
@@ -41,6 +42,10 @@ private:
   double radius_ = 0.0;
   Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
 };
+
+/** Radius of the ball that messages name where the tightest hollow has the radius \p tightest, mm: a little less. None for an inner edge,
+ *  tighter than the \p spacing of the points, which has no radius on the scan. */
+std::optional<double> fittingBall(double tightest, double spacing);
 
 /** Refuses the \p lines on \p surface if they have a foot that is too tight for \p tool_radius. Paths are put on the surface later; this
  *  check comes before turns are spaced, because no step-over exists at such a foot. */
