@@ -53,8 +53,7 @@ runChild(const ChildTask& task)
   for (std::string& word : words)
     arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  if (!isWaitPolicyGiven() && !setProgramEnvironment())
-    throw std::runtime_error("the environment cannot be set");
+  setProgramEnvironment();
   pid_t process = 0;
   if (::posix_spawn(&process, "/proc/self/exe", nullptr, nullptr, arguments.data(), environ) != 0)
     throw std::runtime_error("no child process could be started");

@@ -130,18 +130,28 @@ TEST_F(CommandLine, HelpShowsEveryOptionWithAnExample)
   EXPECT_EQ(run({"--version"}).out.rfind("pcl_spiral_toolpath 0.", 0), 0U);
 }
 
-TEST_F(CommandLine, StartsAgainWithThreadsThatSleepAndLargePagesAndEndsTheSame)
+TEST_F(CommandLine, StartsAgainForThreadsThatSleepAndLargePagesAndEndsTheSame)
 {
-  for (const char* policy : {"-uOMP_WAIT_POLICY", "OMP_WAIT_POLICY=active"}) {
+  struct Given {
+    std::string policy, pages;
+    int starts;
+  };
+  for (const Given& given : {Given{"-uOMP_WAIT_POLICY", "-uGLIBC_TUNABLES", 2}, Given{"OMP_WAIT_POLICY=active", "-uGLIBC_TUNABLES", 2},
+                             Given{"-uOMP_WAIT_POLICY", "GLIBC_TUNABLES=glibc.malloc.hugetlb=0", 2},
+                             Given{"OMP_WAIT_POLICY=active", "GLIBC_TUNABLES=glibc.malloc.hugetlb=0", 1}}) {
     const auto ended = [&](const Arguments& arguments) {
-      Arguments all{policy, "OMP_DISPLAY_ENV=true", program};
+      Arguments all{given.policy, given.pages, "OMP_DISPLAY_ENV=true", program};
       all.insert(all.end(), arguments.begin(), arguments.end());
       return endOf(startProgram("/usr/bin/env", all, folder_), folder_);
     };
     const RunResult version = ended({"--version"});
     EXPECT_EQ(version.code, 0);
     EXPECT_NE(version.out.find("pcl_spiral_toolpath 0."), std::string::npos) << version.out;
-    EXPECT_EQ(version.err.find("OMP_WAIT_POLICY = 'PASSIVE'") != std::string::npos, policy[0] == '-') << version.err;
+    EXPECT_EQ(version.err.find("OMP_WAIT_POLICY = 'PASSIVE'") != std::string::npos, given.policy[0] == '-') << version.err;
+    int starts = 0; // the OpenMP library shows its environment each time
+    for (std::size_t at = 0; (at = version.err.find("DISPLAY ENVIRONMENT BEGIN", at)) != std::string::npos; ++at)
+      ++starts;
+    EXPECT_EQ(starts, given.starts) << given.policy << ' ' << given.pages << '\n' << version.err;
     EXPECT_EQ(ended({"--no-such-option"}).code, 2);
   }
 }

@@ -10,7 +10,7 @@ if [ ! -d "$scans" ]; then
 fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export OMP_WAIT_POLICY=passive
+export OMP_WAIT_POLICY=passive GLIBC_TUNABLES=glibc.malloc.hugetlb=1
 
 passed=0 failed=0
 while read -r command; do

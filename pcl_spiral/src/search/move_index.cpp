@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace pcl_spiral {
 namespace {
@@ -21,6 +22,8 @@ MoveIndex::MoveIndex(const Polyline& line) : line_(line)
 {
   if (line_.size() < 2)
     return;
+  if (moves() > std::size_t{first_mask} + 1)
+    throw std::length_error("a line of more than 2^29 segments has no index");
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : line_)
     box.extend(p);
@@ -72,10 +75,11 @@ MoveIndex::groups() const
           box.high[axis] = high + rounding * std::abs(high);
         }
         if (piece % together == 0)
-          group = {box, leaf | static_cast<std::uint32_t>(i)};
+          group = {box, leaf_mark | static_cast<std::uint32_t>(i)};
         else
           extend(group.box, box);
-        group.leaf = (group.leaf & (leaf | most_moves)) | (static_cast<std::uint32_t>(i) - (group.leaf & most_moves)) << count_shift;
+        group.moves = (group.moves & (leaf_mark | first_mask)) | (static_cast<std::uint32_t>(i) - (group.moves & first_mask))
+                                                                     << count_shift;
       }
     }
   }
@@ -90,7 +94,7 @@ MoveIndex::build(std::vector<Group>& groups, std::size_t first, std::size_t last
   Box4 box = groups[first].box, middles;
   if (last - first == 1) {
     boxes_[node] = box;
-    next_[node] = groups[first].leaf;
+    next_[node] = groups[first].moves;
     return;
   }
   middles.low.fill(1e30f);

@@ -7,6 +7,7 @@
 #include "common/program_environment.h"
 #include <pcl_spiral/io/file_error.h>
 
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,14 +21,15 @@ namespace {
 
 constexpr int failed_on_data = 1;
 
-/** Starts the program \p name again in the environment of the programs, unless the user chose how threads wait. Not under tools that run it
- *  in their own way, as valgrind, which loads a library before it, or a loader that is called with its name. */
+/** Starts the program \p name again in the environment of the programs, as far as the user chose no other. Not with the rights of another
+ *  user, for which the system takes variables away, and not under tools that run it in their own way, as valgrind, which loads a library
+ *  before it, or a loader that is called with its name. */
 void
 startAgain(const std::string& name, char* const* argv)
 {
   std::error_code unread;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unread);
-  if (program.filename() == name && !std::getenv("LD_PRELOAD") && !pcl_spiral::isWaitPolicyGiven() && pcl_spiral::setProgramEnvironment())
+  if (program.filename() == name && !std::getenv("LD_PRELOAD") && !getauxval(AT_SECURE) && pcl_spiral::setProgramEnvironment())
     execv(program.c_str(), argv); // returns where this fails: slower, and nothing else
 }
 

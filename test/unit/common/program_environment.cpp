@@ -24,15 +24,24 @@ private:
   bool was_set_;
 };
 
-TEST(ProgramEnvironment, KeepsWhatTheUserGaveTheLibraryOfC)
+TEST(ProgramEnvironment, KeepsWhatTheUserChose)
 {
   const Variable policy("OMP_WAIT_POLICY", nullptr), count("GOMP_SPINCOUNT", nullptr),
       tunables("GLIBC_TUNABLES", "glibc.malloc.arena_max=1");
-  EXPECT_FALSE(isWaitPolicyGiven());
-  ASSERT_TRUE(setProgramEnvironment());
-  EXPECT_TRUE(isWaitPolicyGiven());
+  EXPECT_TRUE(setProgramEnvironment());
   EXPECT_STREQ(std::getenv("OMP_WAIT_POLICY"), "passive");
-  EXPECT_STREQ(std::getenv("GLIBC_TUNABLES"), "glibc.malloc.arena_max=1:glibc.malloc.hugetlb=1");
+  EXPECT_STREQ(std::getenv("GLIBC_TUNABLES"), "glibc.malloc.hugetlb=1:glibc.malloc.arena_max=1");
+  EXPECT_FALSE(setProgramEnvironment()) << "a program would start again without end";
+  setenv("OMP_WAIT_POLICY", "active", 1);
+  for (const char* pages : {"glibc.malloc.hugetlb=0", "glibc.malloc.arena_max=1:glibc.malloc.hugetlb=2"}) {
+    setenv("GLIBC_TUNABLES", pages, 1);
+    EXPECT_FALSE(setProgramEnvironment());
+    EXPECT_STREQ(std::getenv("GLIBC_TUNABLES"), pages);
+  }
+  unsetenv("GLIBC_TUNABLES");
+  EXPECT_TRUE(setProgramEnvironment()) << "a choice of how threads wait is none of pages";
+  EXPECT_STREQ(std::getenv("OMP_WAIT_POLICY"), "active");
+  EXPECT_STREQ(std::getenv("GLIBC_TUNABLES"), "glibc.malloc.hugetlb=1");
 }
 
 } // namespace

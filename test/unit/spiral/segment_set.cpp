@@ -2,11 +2,15 @@
 // Walks along runs of segments: limits of the distance that are never below it, ends of runs, single points.
 #include "spiral/lines/segment_set.h"
 
+#include "support/random_vectors.h"
 #include "support/sampling.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace segment_set_test {
 
@@ -64,6 +68,49 @@ TEST(SegmentSet, AWalkNeverEndsNearerThanTheNearestSegment)
   }
   EXPECT_GT(walks, 1000U);
   EXPECT_GT(beside, 300U);
+}
+
+/** The segments of runs, closed ones and single points among them, and where each is: label and place. */
+struct KnownSegment {
+  Vector3d a, b;
+  std::pair<std::size_t, std::size_t> where;
+};
+
+TEST(SegmentSet, NamesExactlyTheSegmentsWithinTheDistance)
+{
+  Random random(5);
+  std::size_t within_all = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    SegmentSet lines;
+    std::vector<KnownSegment> known;
+    for (std::size_t r = 0; r < static_cast<std::size_t>(1 + trial % 7); ++r) {
+      const std::size_t count = (trial + r) % 4 == 0 ? 1 : 30 + 4 * r;
+      const bool closed = count > 2 && r % 2 == 0;
+      Polyline run{10.0 * randomVector(random, 1.0)};
+      while (run.size() < count)
+        run.emplace_back(run.back() + randomVector(random, run.size() % 17 == 0 ? 6.0 : 0.5)); // a few are long, and lie in pieces
+      lines.add(run, closed, 1000 * r);
+      for (std::size_t i = 0; i + 1 < count; ++i)
+        known.push_back({run[i], run[i + 1], {1000 * r, i}});
+      if (closed || count == 1)
+        known.push_back({run.back(), run.front(), {1000 * r, count - 1}});
+    }
+    lines.build();
+    for (int k = 0; k < 60; ++k) {
+      const Vector3d p = 10.0 * randomVector(random, 1.0), across = randomUnit(random);
+      const StepOverMetric metric(Eigen::Matrix3d(Eigen::Matrix3d::Identity() + 8.0 * across * across.transpose()));
+      const double within = random.uniform(0.1, 2.5);
+      std::set<std::pair<std::size_t, std::size_t>> named, expected;
+      lines.forSegmentsNear(p, metric, within, [&](std::size_t s) { named.emplace(lines.label(s), lines.place(s)); });
+      double share = 0.0;
+      for (const KnownSegment& segment : known)
+        if (distanceFromSegment(p, metric, segment.a, segment.b, share) <= within)
+          expected.insert(segment.where);
+      ASSERT_EQ(named, expected);
+      within_all += expected.size();
+    }
+  }
+  EXPECT_GT(within_all, 200U);
 }
 
 } // namespace segment_set_test

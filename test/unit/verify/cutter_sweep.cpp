@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace cutter_sweep_test {
 
@@ -137,6 +139,29 @@ TEST(MoveIndex, FarFromTheOriginNothingIsLost)
     Eigen::Vector3d point;
     index.nearest(p, found, point);
     EXPECT_NEAR(found, all, 1e-9);
+  }
+}
+
+TEST(MoveIndex, ManyMovesInSeveralBlocksAndThreads)
+{
+  Random random(6);
+  for (const std::size_t size : {2, 5, 4097, 4098, 12290}) { // blocks of 4096 moves end before, at and after the last
+    Polyline points;
+    while (points.size() < size)
+      points.push_back(10.0 * randomVector(random, 1.0));
+    if (size > 4100)
+      for (const std::size_t i : {std::size_t{4095}, std::size_t{4096}, std::size_t{8191}, size - 1})
+        points[i] = Eigen::Vector3d(100.0, 100.0, 0.0); // long moves, in pieces, on both sides of the blocks' ends
+    const MoveIndex index(points);
+    for (int k = 0; k < 30; ++k) {
+      const Eigen::Vector3d p = 10.0 * randomVector(random, 1.0);
+      constexpr double radius = 0.8;
+      std::vector<std::uint8_t> passed(index.moves(), 0);
+      index.search(
+          p, [] { return radius; }, [&](std::size_t move) { passed.at(move) = 1; });
+      for (std::size_t i = 0; i < index.moves(); ++i)
+        ASSERT_TRUE(passed[i] || test::MoveTree({points[i], points[i + 1]}).nearest(p).first > radius) << i << " of " << size;
+    }
   }
 }
 

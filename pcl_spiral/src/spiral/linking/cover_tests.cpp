@@ -16,8 +16,7 @@ namespace {
  *  place of a test of every triangle that could hide an uncovered place: highest scallops of 1.097 for 1.092 h in the mean, p99.9 1.0094
  *  for 1.0091 h, and the free form in 2.6 for 3.3 s of processor time, all with 4 edges a step-over. */
 constexpr double suspect = 0.42;
-constexpr double near_enough = 0.36;  // a segment nearer than this to a test point is not followed further
-constexpr double search_within = 1.5; // step-overs
+constexpr double near_enough = 0.36; // a segment nearer than this to a test point is not followed further
 constexpr std::uint32_t none = Covering::none;
 constexpr std::size_t together = 128; // tests that look first where the one before found something; the same for any number of threads
 constexpr std::size_t one_turn = 8;   // segments; decides only how soon a walk along the path ends
@@ -175,7 +174,7 @@ CoverTests::measure(const SegmentSet& line, std::size_t first, double exact, con
       std::uint32_t seed = none;
       const CoverPlace at = placeAt(i, tested, seed);
       NearestSegment best;
-      best.distance = search_within;
+      best.distance = covering_within;
       for (const std::uint32_t from : {seed, last.get()[0], last.get()[1]}) {
         if (from == none || best.distance < near_enough)
           continue;

@@ -20,11 +20,13 @@ namespace pcl_spiral {
 
 /** A place farther than this from the path moves the path, step-overs. */
 constexpr double covered = 0.503;
+/** Segments farther than this from a place do not count, step-overs. */
+constexpr double covering_within = 1.5;
 
 /** What of a path is nearest to a place. */
 struct Covering {
   static constexpr std::uint32_t none = 0xffffffffu;
-  double distance = 0.0;        ///< step-overs, at most 1.5; an upper limit where that is enough
+  double distance = 0.0;        ///< step-overs, at most covering_within; an upper limit where that is enough
   std::uint32_t segment = none; ///< from its point of the path to the next
   float share = 0.0f;           ///< along it
 };

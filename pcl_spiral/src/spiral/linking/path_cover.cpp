@@ -22,7 +22,6 @@ namespace {
 
 constexpr double aim = 0.49;         // distance to which an uncovered place is brought
 constexpr double moved_reach = 2.2;  // the path this near to it may move
-constexpr double looked_at = 1.0;    // the nearest segment of a test point is one of those within this
 constexpr double bell = 0.8;         // half the length of path that one place moves
 constexpr double cover_grain = 0.05; // of the path where it moves
 constexpr auto bell_points = static_cast<std::size_t>(bell / cover_grain);
@@ -171,7 +170,8 @@ Mover::nearPath(const Watched& at) const
 {
   std::vector<std::size_t> segments; // of the path as it was
   const CoverPlace place = tests_.place(at.test);
-  line_.forSegmentsNear(place.point, place.metric, looked_at, [&](std::size_t s) { segments.push_back(line_.label(s) + line_.place(s)); });
+  line_.forSegmentsNear(place.point, place.metric, covering_within,
+                        [&](std::size_t s) { segments.push_back(line_.label(s) + line_.place(s)); });
   std::sort(segments.begin(), segments.end());
   NearPath near;
   for (const std::size_t s : segments) {

@@ -242,9 +242,9 @@ checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest
     if (!((feet[i] - feet[i - 1]).norm() <= slack * longest_step))
       jump = std::min(jump, i);
   }
+  figures.largest_gap = largest;
   if (jump < feet.size())
     return jumpAt(path, jump, longest_step);
-  figures.largest_gap = largest;
   figures.turns = static_cast<std::size_t>(std::lround(std::abs(path.turns.back() - path.turns.front())));
   figures.points = path.contacts.size();
   figures.length = path.arc_lengths.back();

@@ -20,10 +20,11 @@ namespace pcl_spiral {
 /** The segments of a polyline, in groups of four that follow each other; the groups are halved repeatedly across the longest side
  * of their box, under boxes in single precision that are rounded outwards. Segments much longer than the mean are stored in pieces.
  * The polyline must outlive the index and must not change. Memory: 18 bytes per segment, at most half as much
- * again, in addition to the polyline.
+ * again, in addition to the polyline, and 20 more while it is made.
  */
 class MoveIndex {
 public:
+  /** \throw std::length_error for more than 2^29 segments */
   explicit MoveIndex(const Polyline& line);
 
   std::size_t moves() const { return line_.size() < 2 ? 0 : line_.size() - 1; }
@@ -32,7 +33,7 @@ public:
   bool nearest(const Eigen::Vector3d& p, double& distance, Eigen::Vector3d& point) const;
 
   /** Call \p test(move) for every segment within \p radius() of \p p, the nearest boxes first, and for those of its group. The radius
-   * may shrink during the search. A segment may be passed twice. */
+   * may shrink during the search. A segment may be passed several times. */
   template <typename Radius, typename Test>
   void search(const Eigen::Vector3d& p, const Radius& radius, const Test& test) const
   {
@@ -53,8 +54,8 @@ public:
       if (entry.distance > limit)
         continue;
       const std::uint32_t next = next_[entry.node];
-      if (next & leaf) {
-        for (std::uint32_t move = next & most_moves, last = move + (next >> count_shift & 3u); move <= last; ++move)
+      if (next & leaf_mark) {
+        for (std::uint32_t move = next & first_mask, last = move + (next >> count_shift & 3u); move <= last; ++move)
           test(static_cast<std::size_t>(move));
         limit = squared(radius());
         continue;
@@ -72,7 +73,7 @@ public:
 
 private:
   /** What next_ has of a leaf: this mark, its number of moves less one, and the first of them. */
-  static constexpr std::uint32_t leaf = 0x80000000u, count_shift = 29, most_moves = 0x1fffffffu;
+  static constexpr std::uint32_t leaf_mark = 0x80000000u, count_shift = 29, first_mask = 0x1fffffffu;
 
   struct alignas(16) Box4 { // relative to origin_; the fourth is 0
     std::array<float, 4> low, high;
@@ -80,7 +81,7 @@ private:
   /** Pieces that follow each other. */
   struct Group {
     Box4 box;
-    std::uint32_t leaf; ///< its moves, as in next_
+    std::uint32_t moves; ///< as in next_
   };
 
   static void extend(Box4& box, const Box4& other)
