@@ -23,6 +23,7 @@ namespace {
 
 constexpr double all_points = 0.98;  // share of the points: a path over fewer does not cut the whole scan
 constexpr double least_points = 0.1; // the same: a path over fewer cuts a thing on the part, or beside it, such as a clamp
+constexpr double deepest = 0.3;      // radii of the ball in a point: deeper is no noise, but shape that so few points do not show
 
 /** Whether turns were made. */
 bool
@@ -180,7 +181,7 @@ isClear(const SpiralPlan& plan)
   for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
     things.push_back({p.x(), p.y(), p.z()});
   const SpiralSettings& s = plan.settings;
-  const double allowed = gougeTolerance(s.chord_error, noiseOf(plan.report));
+  const double allowed = std::min(gougeTolerance(s.chord_error, noiseOf(plan.report)), deepest * s.tool_radius);
   return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= allowed;
 }
 

@@ -102,17 +102,6 @@ BallReach::BallReach(const SurfaceGraph& graph, const MlsSurface& fit, double ra
   dropTriangulation();
 }
 
-double
-BallReach::tightest() const
-{
-  const Patches& all = patches();
-  double radius = radius_;
-  for (const std::uint32_t place : all.place)
-    if (const double curvature = all.patches[place].curvature2; curvature < -1.0 / radius)
-      radius = -1.0 / curvature;
-  return radius;
-}
-
 void
 BallReach::dropTriangulation()
 {

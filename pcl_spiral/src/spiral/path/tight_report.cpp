@@ -219,8 +219,6 @@ reportTight(const BallReach& reach, const SpiralPath& path, const SpiralSettings
   report.fitting_radius = reach.radius();
   for (const UnreachedPoint& point : reach.unreached())
     report.fitting_radius = std::min<double>(report.fitting_radius, point.reach);
-  if (report.fitting_radius < reach.radius()) // by the points that it reaches within the tolerance, too, as a refusal
-    report.fitting_radius = std::min(report.fitting_radius, reach.tightest());
   measureLifts(path, reach.tolerance(), report);
   report.missed = reach.missed();
   if (report.missed.count > 0)

@@ -65,8 +65,6 @@ public:
   std::size_t looked() const { return looked_; }
   /** Points that the ball does not reach, in the order of the graph. */
   const std::vector<UnreachedPoint>& unreached() const { return unreached_; }
-  /** The smallest radius of a hollow at the points, at most radius(). */
-  double tightest() const;
   /** Points that the fit cuts off. */
   const MissedPoints& missed() const { return missed_; }
   /** Adds to missed() those of \p outliers, left out of the fit, that stand at most \p most, mm, out of it: higher ones are no edge. */
