@@ -191,7 +191,7 @@ isCluster(const StandingCluster& group, std::size_t least, const std::vector<std
 }
 
 /** Groups larger than chance makes them: first of points that are near each other among all, then of the others, which stand farther
- *  apart but in one place of the \p area: as far apart as echoes seldom are, where these are many. */
+ *  apart but in one place of the \p area. */
 std::vector<StandingCluster>
 clustersOf(const StandingSet& standing, const std::vector<std::uint8_t>& is_far, double spacing, double area)
 {
@@ -206,10 +206,8 @@ clustersOf(const StandingSet& standing, const std::vector<std::uint8_t>& is_far,
       for (std::size_t i = 0; i < group.indices.size(); ++i)
         others.add(group.positions[i], static_cast<std::uint32_t>(group.indices[i]), group.height);
   }
-  const EchoSpread echoes{others.points.size(), area, echoDepth(others.heights)};
-  const double reach = std::clamp(echoes.rareReach(), link * spacing, loose_link * spacing);
-  const std::size_t least_loose = echoes.leastGroup(reach);
-  for (const StandingCluster& group : groupsOf(others, reach))
+  const std::size_t least_loose = leastSpread(others.points.size(), loose_link * spacing, area);
+  for (const StandingCluster& group : groupsOf(others, loose_link * spacing))
     if (isCluster(group, least_loose, is_far))
       clusters.push_back(group);
   return clusters;
@@ -272,7 +270,7 @@ joinToClusters(std::vector<StandingCluster> groups, double reach, double area, s
       own.height = std::max(own.height, group.height);
       joined[nearest].insert(joined[nearest].end(), group.positions.begin(), group.positions.end());
     }
-    goes_on = left.size() < groups.size() && EchoSpread{left.size(), area}.isRare(widest);
+    goes_on = left.size() < groups.size() && isRare(left.size(), widest, area);
     groups = std::move(left);
     for (std::size_t c = 0; c < clusters.size(); ++c)
       fronts[c] = PointBlocks(std::move(joined[c]));

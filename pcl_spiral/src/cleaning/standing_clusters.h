@@ -30,13 +30,13 @@ struct StandingPoints {
  *  A point stands off the surface if its height over the surface of its neighbours, on the outer side, is more than eight times
  *  the noise, theirs and the usual one, and 0.3 of the spacing, and it is not beyond the rim by more than a spacing.
  *  Two or more points of a cluster are higher than twelve times the noise.
- *  Steps of two spacings link the points of a cluster. Points that stand farther apart are linked by steps of six spacings, or of fewer
- *  where echoes are so many that six would link them. False echoes that fly about at random meet by chance: how often is estimated from
- *  their distances (leastCluster), for the second links from their number and the layer that they fill (EchoSpread). Groups of a size that
- *  is expected 0.3 times or more are no clusters. Points within six spacings of a cluster join it, or, where its own points lie far apart,
+ *  Steps of two spacings link the points of a cluster. Points that stand farther apart are linked by steps of six spacings. False echoes
+ *  that fly about at random meet by chance: how often is estimated from their distances (leastCluster), for the second links from their
+ *  number on the whole surface (leastSpread). Groups of a size that is
+ *  expected 0.3 times or more are no clusters. Points within six spacings of a cluster join it, or, where its own points lie far apart,
  *  within three times their mean distance from the nearest one; also those beyond the rim or over a hole, as the middle of a clamp that
- *  hides the surface: alone these are no reason for a cluster. The surface is that of spikeOutliers, fitted to the points of the graph that
- *  are no candidates. */
+ *  hides the surface: alone these are no reason for a cluster. The surface is that of
+ *  spikeOutliers, fitted to the points of the graph that are no candidates. */
 StandingPoints standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& points);
 
 /** The box about the points of \p cluster. */

@@ -238,60 +238,6 @@ TEST(StandingClusters, TheLeavesOfATreeBelongToIt)
   EXPECT_LE(missed, seeds * leaves / 200);
 }
 
-/** A plane, 150 echoes up to 40 mm over it, and a tree of \p leaves of which each is some three spacings from the next. */
-Cloud::Ptr
-treeAmongEchoes(std::uint32_t seed, int leaves)
-{
-  constexpr int side = 40, echoes = 150;
-  constexpr double highest = 40.0, crown = 5.0;
-  const Eigen::Vector3d middle(4.0, -6.0, 10.0);
-  const Cloud::Ptr cloud(new Cloud);
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> share(-1.0, 1.0);
-  for (int i = -side; i <= side; ++i)
-    for (int j = -side; j <= side; ++j)
-      add(*cloud, Eigen::Vector3d(i + 0.3 * share(random), j + 0.3 * share(random), 0.01 * share(random)));
-  for (int i = 0; i < echoes; ++i)
-    add(*cloud, {side * share(random), side * share(random), 0.5 * highest * (1.0 + share(random))});
-  std::vector<Eigen::Vector3d> crown_leaves;
-  while (static_cast<int>(crown_leaves.size()) < leaves) {
-    const Eigen::Vector3d leaf = middle + crown * Eigen::Vector3d(share(random), share(random), share(random));
-    const auto isNear = [&leaf](const Eigen::Vector3d& other) { return (leaf - other).norm() < 2.01; };
-    if ((leaf - middle).norm() < crown && std::none_of(crown_leaves.begin(), crown_leaves.end(), isNear))
-      crown_leaves.push_back(leaf);
-  }
-  for (const Eigen::Vector3d& leaf : crown_leaves)
-    add(*cloud, leaf);
-  return cloud;
-}
-
-TEST(StandingClusters, ASparseTreeIsFoundAmongManyEchoes)
-{
-  constexpr int leaves = 24, seeds = 10;
-  std::size_t missed = 0;
-  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-    const Cloud::Ptr cloud = treeAmongEchoes(seed, leaves);
-    Surface::ConstPtr surface;
-    ASSERT_TRUE(statusOf(cloud, ClusterHandling::Ride, &surface).ok());
-    std::size_t ridden = 0;
-    for (const StandingCluster& cluster : surface->clusters())
-      for (const Eigen::Vector3f& p : cluster.positions)
-        ridden += std::any_of(cloud->end() - leaves, cloud->end(), [&p](const pcl::PointXYZ& leaf) { return leaf.getVector3fMap() == p; });
-    missed += leaves - ridden;
-  }
-  EXPECT_LE(missed, seeds * leaves / 100U);
-}
-
-/** Chance makes a group of the size that counts in less than 0.3 scans, by each of two rules. */
-TEST(StandingClusters, ManyEchoesWithoutATreeAreSeldomACluster)
-{
-  constexpr std::uint32_t seeds = 20;
-  int refused = 0;
-  for (std::uint32_t seed = 1; seed <= seeds; ++seed)
-    refused += !statusOf(treeAmongEchoes(100 + seed, 0)).ok();
-  EXPECT_LE(refused, static_cast<int>(seeds) / 3);
-}
-
 TEST(StandingClusters, PointsFarApartInOnePlaceAreOneToo)
 {
   // Each three to five spacings from the next: alone they look like single echoes.
