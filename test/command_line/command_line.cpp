@@ -14,6 +14,7 @@
 #include <iterator>
 #include <random>
 #include <sstream>
+#include <utility>
 
 namespace command_line_test {
 
@@ -141,6 +142,8 @@ TEST_F(CommandLine, StartsAgainForThreadsThatSleepAndLargePagesAndEndsTheSame)
                              Given{"OMP_WAIT_POLICY=active", "GLIBC_TUNABLES=glibc.malloc.hugetlb=0", 1}}) {
     const auto ended = [&](const Arguments& arguments) {
       Arguments all{given.policy, given.pages, "OMP_DISPLAY_ENV=true", program};
+      if (given.pages[0] == '-') // what env takes away stands first
+        std::swap(all[0], all[1]);
       all.insert(all.end(), arguments.begin(), arguments.end());
       return endOf(startProgram("/usr/bin/env", all, folder_), folder_);
     };
