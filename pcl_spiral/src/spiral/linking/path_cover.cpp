@@ -21,7 +21,7 @@ namespace pcl_spiral {
 namespace {
 
 constexpr double aim = 0.49;         // distance to which an uncovered place is brought
-constexpr double moved_reach = 2.2;  // the path this near to it may move
+constexpr double moved_reach = 2.63; // the path this near to it may move: the turn beyond the farthest, and a bell along it
 constexpr double bell = 0.8;         // half the length of path that one place moves
 constexpr double cover_grain = 0.05; // of the path where it moves
 constexpr auto bell_points = static_cast<std::size_t>(bell / cover_grain);
