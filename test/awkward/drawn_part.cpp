@@ -121,12 +121,15 @@ Box::outline(double margin) const
 bool
 isClear(const test::AnalyticSurface& part, const Box& box, double margin)
 {
-  constexpr int steps = 200; // of a side of the outline
+  constexpr double step = 0.5; // mm, along the outline
   const test::PlaneLoop& outline = part.region().loops().front();
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    for (int k = 0; k < (outline.size() < 100 ? steps : 1); ++k)
-      if (box.covers(outline[i] + (outline[(i + 1) % outline.size()] - outline[i]) * k / steps, margin))
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vector2d side = outline[(i + 1) % outline.size()] - outline[i];
+    const auto steps = static_cast<int>(std::ceil(side.norm() / step));
+    for (int k = 0; k < steps; ++k)
+      if (box.covers(outline[i] + side * k / steps, margin))
         return false;
+  }
   return !part.region().contains(box.centre);
 }
 

@@ -67,7 +67,8 @@ localShape(const Neighbourhood& near)
   Eigen::Matrix3d moment;
   moment << xx.sum(), xy.sum(), xz.sum(), xy.sum(), yy.sum(), yz.sum(), xz.sum(), yz.sum(), zz.sum();
   const Eigen::Vector3d normal = leastAxis(moment / near.size - mean * mean.transpose());
-  return {normal, std::sqrt(static_cast<double>(near.squared_distance[near.size - 1])), -mean.dot(normal)};
+  const double radius = std::sqrt(static_cast<double>(near.squared_distance[near.size - 1])), height = -mean.dot(normal);
+  return {normal, radius, height, radius > 0.0 ? (mean + height * normal).norm() / radius : 0.0};
 }
 
 } // namespace pcl_spiral

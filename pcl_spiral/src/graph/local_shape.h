@@ -19,6 +19,7 @@ struct LocalShape {
   Eigen::Vector3d normal; ///< least principal axis of the neighbours (Hoppe et al. 1992), sign arbitrary
   double radius;          ///< distance to the k-th neighbour
   double height;          ///< of the point over its neighbours' plane, along the normal
+  double offset;          ///< of the neighbours' mean from the point along the plane, in radii
 };
 
 /** Spacing of k evenly spread points in a disc of this radius. */

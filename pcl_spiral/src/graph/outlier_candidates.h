@@ -21,6 +21,7 @@ struct PointShapes {
   std::vector<Eigen::Vector3f> normals; ///< of their neighbours' planes
   std::vector<float> radii;             ///< distance to the k-th neighbour
   std::vector<float> heights;           ///< over the plane, along the normal
+  std::vector<float> offsets;           ///< of the neighbours' mean along the plane, in radii
   int neighbours = 0;                   ///< k
 
   double spacing(std::size_t i) const { return evenSpacing(radii[i], neighbours); }

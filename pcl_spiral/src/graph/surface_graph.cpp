@@ -13,6 +13,7 @@
 #include "search/pieces.h"
 #include "star_triangles.h"
 #include "unseen_steps.h"
+#include "void_joints.h"
 
 #include <Eigen/Geometry>
 
@@ -125,6 +126,7 @@ visitAll(const PointBlocks& blocks, double max_circumradius, PointShapes& shapes
   shapes.normals.resize(blocks.size());
   shapes.radii.resize(blocks.size());
   shapes.heights.resize(blocks.size());
+  shapes.offsets.resize(blocks.size());
   StarSet stars;
   stars.begin.assign(blocks.size() + 1, 0);
   std::vector<std::vector<std::uint32_t>> spokes(runs);
@@ -142,6 +144,7 @@ visitAll(const PointBlocks& blocks, double max_circumradius, PointShapes& shapes
           shapes.normals[i] = shape.normal.cast<float>();
           shapes.radii[i] = static_cast<float>(shape.radius);
           shapes.heights[i] = static_cast<float>(shape.height);
+          shapes.offsets[i] = static_cast<float>(shape.offset);
           worker.append(spokes[r]);
           stars.begin[i + 1] = static_cast<std::uint32_t>(worker.spokeCount());
         }
@@ -168,6 +171,19 @@ signsAlong(const Eigen::Vector3d& along, const std::vector<Eigen::Vector3f>& nor
   const Eigen::Vector3f up = along.cast<float>();
   forPoints(normals.size(), [&](std::uint32_t i) { flipped[i] = normals[i].dot(up) < 0.0f; });
   return flipped;
+}
+
+/** Remove the flagged triangles; no flags at all: none. */
+void
+remove(const std::vector<std::uint8_t>& flagged, std::size_t points, Triangulation& mesh)
+{
+  if (std::find(flagged.begin(), flagged.end(), 1) == flagged.end())
+    return;
+  std::vector<Triangulation::Triangle> kept;
+  for (std::uint32_t t = 0; t < flagged.size(); ++t)
+    if (!flagged[t])
+      kept.push_back(mesh.triangle(t));
+  mesh = Triangulation(points, std::move(kept));
 }
 
 double
@@ -229,8 +245,11 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
   p.mean_normal = sum.head<3>() / sum.w();
   const auto triangles = std::make_shared<Triangulation>(options.heights ? gridTriangles(p.blocks.points(), *options.heights)
                                                                          : triangulate(p.blocks.points(), std::move(stars), pinhole_edges));
-  if (!options.heights)
-    removeUnseenSteps({p.blocks, p.normals, p.radii, static_cast<float>(evenSpacing(1.0, p.neighbours))}, *triangles);
+  if (!options.heights) {
+    const TriangulatedPoints cloud{p.blocks, p.normals, p.radii, static_cast<float>(evenSpacing(1.0, p.neighbours))};
+    remove(voidJoints(cloud, shapes.offsets, options.max_circumradius, *triangles), p.blocks.size(), *triangles);
+    remove(unseenSteps(cloud, *triangles), p.blocks.size(), *triangles);
+  }
   points_ = made;
   triangulation_ = triangles;
   return Status::success();

@@ -2,6 +2,7 @@
 #include "unseen_steps.h"
 
 #include "local_shape.h"
+#include "triangle_pieces.h"
 
 #include "search/neighbour_search.h"
 #include "search/pieces.h"
@@ -21,18 +22,16 @@ constexpr float longer_edge = 2.1f;     // spacings: of an edge that is steep at
 constexpr float steeper = 0.6f;         // such a sine at the one end
 constexpr float slanted = 0.15f;        // and at the other
 constexpr float leaning = 0.5f;         // share of these sines that is asked for while normals still lean beside the step
-constexpr std::size_t least_size = 8;   // triangles of a small surface: loose points, as of a tree, are none
 constexpr double large = 0.02;          // of all triangles
 constexpr double most_near = 0.1;       // of the points: with more of them, noise or loose points make the steps
 constexpr std::size_t least_steps = 16; // up to a small surface, two per edge: fewer lead up from a single point below
 constexpr double mostly = 0.9;          // of the step edges at a surface: they lead up to one that stands on another
 
-/** The work of removeUnseenSteps. */
+/** The work of unseenSteps. */
 class UnseenSteps {
 public:
   UnseenSteps(const TriangulatedPoints& cloud, const Triangulation& mesh) : cloud_(cloud), mesh_(mesh) {}
 
-  /** One flag per triangle, 1 if it is to be removed; empty if none is. */
   std::vector<std::uint8_t> find()
   {
     if (!findNormals() || !findSteps())
@@ -135,28 +134,11 @@ private:
   void findSurfaces()
   {
     of_point_.assign(cloud_.blocks.size(), Triangulation::none);
-    std::vector<std::uint32_t> surface(mesh_.triangleCount(), Triangulation::none), stack;
-    for (std::uint32_t t = 0; t < mesh_.triangleCount(); ++t) {
-      if (surface[t] != Triangulation::none || isAtStep(t))
-        continue;
-      const auto number = static_cast<std::uint32_t>(sizes_.size());
-      sizes_.push_back(0);
-      surface[t] = number;
-      stack.assign(1, t);
-      while (!stack.empty()) {
-        const std::uint32_t from = stack.back();
-        stack.pop_back();
-        ++sizes_[number];
-        for (std::uint32_t h = 3 * from; h < 3 * from + 3; ++h) {
-          of_point_[mesh_.origin(h)] = number;
-          if (const std::uint32_t other = mesh_.opposite(h);
-              other != Triangulation::none && surface[other / 3] == Triangulation::none && !isAtStep(other / 3)) {
-            surface[other / 3] = number;
-            stack.push_back(other / 3);
-          }
-        }
-      }
-    }
+    const std::vector<std::uint32_t> surface = trianglePieces(
+        mesh_, [this](std::uint32_t t) { return !isAtStep(t); }, sizes_);
+    for (std::uint32_t h = 0; h < mesh_.halfEdgeCount(); ++h)
+      if (surface[h / 3] != Triangulation::none)
+        of_point_[mesh_.origin(h)] = surface[h / 3];
   }
 
   /** Gives each point without a surface that one, of those that edges lead to, from whose nearest plane it is least far off. With
@@ -209,9 +191,9 @@ private:
     }
     stands_alone_.resize(sizes_.size());
     for (std::size_t s = 0; s < sizes_.size(); ++s)
-      stands_alone_[s] =
-          static_cast<double>(sizes_[s]) >= large * static_cast<double>(mesh_.triangleCount()) ||
-          (sizes_[s] >= least_size && up[s] >= least_steps && static_cast<double>(up[s]) > mostly * static_cast<double>(up[s] + down[s]));
+      stands_alone_[s] = static_cast<double>(sizes_[s]) >= large * static_cast<double>(mesh_.triangleCount()) ||
+                         (sizes_[s] >= least_surface && up[s] >= least_steps &&
+                          static_cast<double>(up[s]) > mostly * static_cast<double>(up[s] + down[s]));
   }
 
   /** Flags the triangles with corners on two surfaces. */
@@ -236,17 +218,10 @@ private:
 
 } // namespace
 
-void
-removeUnseenSteps(const TriangulatedPoints& cloud, Triangulation& mesh)
+std::vector<std::uint8_t>
+unseenSteps(const TriangulatedPoints& cloud, const Triangulation& mesh)
 {
-  const std::vector<std::uint8_t> removed = UnseenSteps(cloud, mesh).find();
-  if (std::find(removed.begin(), removed.end(), 1) == removed.end())
-    return;
-  std::vector<Triangulation::Triangle> kept;
-  for (std::uint32_t t = 0; t < removed.size(); ++t)
-    if (!removed[t])
-      kept.push_back(mesh.triangle(t));
-  mesh = Triangulation(cloud.blocks.size(), kept);
+  return UnseenSteps(cloud, mesh).find();
 }
 
 } // namespace pcl_spiral

@@ -21,12 +21,12 @@ struct TriangulatedPoints {
   float spacings_per_radius;                   ///< local spacing of the points by that radius
 };
 
-/** Removes the triangles over steps whose side was not scanned, if all that joins two surfaces is such a step: a part and the table
- *  below it, a thing and the part that it stands on. No surface is known between them. Stars meet there, since from above the two are
- *  only a spacing apart. A smaller surface below, such as the floor of a pocket, stays with its part.
+/** One flag per triangle, 1 for the triangles over steps whose side was not scanned, if all that joins two surfaces is such a step: a part
+ *  and the table below it, a thing and the part that it stands on; empty if there is none. No surface is known between them. Stars meet
+ *  there, since from above the two are only a spacing apart. A smaller surface below, such as the floor of a pocket, stays with its part.
  *
  *  Steps are edges far longer than the spacing and steep to the surface at both ends. Without the triangles about them the mesh falls into
  *  surfaces; each point at a step then goes to the surface whose plane it is nearest to, and triangles with corners on two of them go. */
-void removeUnseenSteps(const TriangulatedPoints& cloud, Triangulation& mesh);
+std::vector<std::uint8_t> unseenSteps(const TriangulatedPoints& cloud, const Triangulation& mesh);
 
 } // namespace pcl_spiral

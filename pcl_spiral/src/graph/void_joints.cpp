@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "void_joints.h"
+
+#include "triangle_pieces.h"
+
+#include "search/pieces.h"
+#include <pcl_spiral/core/impl/angles.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_spiral {
+namespace {
+
+constexpr float sharpest_corner = 0.25f; // of a full turn: a corner of 90 degrees
+constexpr float reentrant = 0.75f;       // the same of one of 270: where more is filled, the offset is noise
+
+/** The work of voidJoints. */
+class VoidJoints {
+public:
+  VoidJoints(const TriangulatedPoints& cloud, const std::vector<float>& offsets, double max_circumradius, const Triangulation& mesh)
+  : cloud_(cloud), offsets_(offsets), mesh_(mesh), widest_(static_cast<float>(2.0 * max_circumradius) * cloud.spacings_per_radius)
+  {}
+
+  std::vector<std::uint8_t> find()
+  {
+    if (!findVoids())
+      return {};
+    findSurfaces();
+    return between();
+  }
+
+private:
+  /** Flags the triangles over a void: an edge is longer than the widest one by the spacing at both of its ends. False if there is none. */
+  bool findVoids()
+  {
+    is_void_.assign(mesh_.triangleCount(), 0);
+    forPoints(is_void_.size(), [&](std::uint32_t t) {
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        const std::uint32_t a = mesh_.origin(h), b = mesh_.target(h);
+        const float length = (cloud_.blocks.point(b) - cloud_.blocks.point(a)).norm();
+        is_void_[t] |= isWide(length, a) && isWide(length, b);
+      }
+    });
+    return std::find(is_void_.begin(), is_void_.end(), 1) != is_void_.end();
+  }
+
+  /** Whether a void of this width at point \p v is no surface. */
+  bool isWide(float width, std::uint32_t v) const
+  {
+    const float most = widest_ * cloud_.radii[v];
+    return width > std::sqrt(sharpest_corner) * most && width > std::sqrt(filledShare(offsets_[v])) * most;
+  }
+
+  /** Distance of the centroid of a sector with this share of a disc from the middle, in radii: 2/3 sin(a/2) / (a/2) for the angle a. */
+  static float centroidOf(float share)
+  {
+    const float half = static_cast<float>(pi) * share;
+    return 2.0f / 3.0f * std::sin(half) / half;
+  }
+
+  /** The share of its circle that a neighbourhood fills, from the distance of its mean from the middle, in radii. */
+  static float filledShare(float offset)
+  {
+    if (offset < centroidOf(reentrant))
+      return 1.0f;
+    float least = sharpest_corner, most = reentrant;
+    for (int i = 0; i < 16; ++i) {
+      const float share = 0.5f * (least + most);
+      (centroidOf(share) > offset ? least : most) = share;
+    }
+    return least;
+  }
+
+  /** The surfaces without the triangles over voids, of their points; loose points have none. */
+  void findSurfaces()
+  {
+    std::vector<std::size_t> sizes;
+    const std::vector<std::uint32_t> piece = trianglePieces(
+        mesh_, [&](std::uint32_t t) { return !is_void_[t]; }, sizes);
+    of_point_.assign(cloud_.blocks.size(), Triangulation::none);
+    is_loose_.assign(mesh_.triangleCount(), 0);
+    for (std::uint32_t h = 0; h < mesh_.halfEdgeCount(); ++h)
+      if (const std::uint32_t s = piece[h / 3]; s != Triangulation::none && sizes[s] >= least_surface)
+        of_point_[mesh_.origin(h)] = s;
+      else if (s != Triangulation::none)
+        is_loose_[h / 3] = 1;
+  }
+
+  /** Flags the triangles over voids that lead, alone or by others of them and loose points, to more than one surface. */
+  std::vector<std::uint8_t> between() const
+  {
+    std::vector<std::size_t> sizes;
+    const std::vector<std::uint32_t> bridge = trianglePieces(
+        mesh_, [&](std::uint32_t t) { return is_void_[t] || is_loose_[t]; }, sizes);
+    std::vector<std::uint32_t> first(sizes.size(), Triangulation::none);
+    std::vector<std::uint8_t> joins(sizes.size(), 0);
+    for (std::uint32_t h = 0; h < mesh_.halfEdgeCount(); ++h) {
+      const std::uint32_t b = bridge[h / 3], surface = of_point_[mesh_.origin(h)];
+      if (b == Triangulation::none || surface == Triangulation::none)
+        continue;
+      if (first[b] == Triangulation::none)
+        first[b] = surface;
+      joins[b] |= first[b] != surface;
+    }
+    if (std::find(joins.begin(), joins.end(), 1) == joins.end())
+      return {};
+    std::vector<std::uint8_t> removed(mesh_.triangleCount(), 0);
+    forPoints(removed.size(), [&](std::uint32_t t) { removed[t] = is_void_[t] && joins[bridge[t]]; });
+    return removed;
+  }
+
+  const TriangulatedPoints& cloud_;
+  const std::vector<float>& offsets_;
+  const Triangulation& mesh_;
+  float widest_;                        ///< void that is surface, times the radius of a full neighbourhood
+  std::vector<std::uint8_t> is_void_;   ///< of triangles
+  std::vector<std::uint8_t> is_loose_;  ///< of triangles: between so few others that they are no surface
+  std::vector<std::uint32_t> of_point_; ///< the surface of each point
+};
+
+} // namespace
+
+std::vector<std::uint8_t>
+voidJoints(const TriangulatedPoints& cloud, const std::vector<float>& offsets, double max_circumradius, const Triangulation& mesh)
+{
+  return VoidJoints(cloud, offsets, max_circumradius, mesh).find();
+}
+
+} // namespace pcl_spiral
