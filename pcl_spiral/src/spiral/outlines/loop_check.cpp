@@ -132,7 +132,8 @@ checkLoop(const SurfaceGraph& graph, const BoundaryLoop& loop, std::size_t index
       const Eigen::Vector3d& p = (*line)[at];
       const double distance = p.allFinite() ? distanceToCloud(graph, p) : 0.0;
       return refused(index, " has a point ", Place(p), " that is not finite or ", distance,
-                     " {mm} from the {cloud}: give loops of the same cloud, or none to have them found");
+                     " {mm} from the {cloud}. If it is your own loop: give one of the same {cloud}, or none to have it found. If "
+                     "{BoundaryLoops} found it, it leads over a void of the {scan}: {scan more densely} there");
     }
   if (!surfaceOnLeft(graph, loop))
     return refused(index, " at ", Place(loop.curve.front()),
