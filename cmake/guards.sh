@@ -6,10 +6,10 @@ set -euo pipefail
 cd "${1:-"$(dirname "${BASH_SOURCE[0]}")/.."}"
 
 faults=0
-fault() { # WHAT LINES: reports the lines found, if any
+fault() { # WHAT LINES: reports the lines found, if any, as a paragraph
   [ -z "$2" ] && return
   faults=1
-  printf '%s:\n%s\n' "$1" "$2" >&2
+  printf '%s:\n%s\n\n' "$1" "$2" >&2
 }
 
 # Heights of the rooms: a room includes only rooms of its own height and below. toolpath: former places of headers.
@@ -23,15 +23,15 @@ fault "core stands on Eigen alone; these lines include PCL" \
   "$(grep -rnE '#[[:space:]]*include[[:space:]]*[<"]pcl/' $library/include/pcl_spiral/core $library/src/core || true)"
 
 for folder in "$library"/include/pcl_spiral/*/ "$library"/src/*/; do
-  room=$(basename "$folder")
-  own=${level[$room]:-}
-  [ -z "$own" ] && { fault "folder without a place in the layers (give it one in cmake/guards.sh)" "$folder"; continue; }
-  while IFS=: read -r file line text; do
-    [[ $text =~ [\<\"](pcl_spiral/)?([a-z_]+)/ ]]
-    included=${BASH_REMATCH[2]}
-    [ "${level[$included]:-99}" -le "$own" ] || fault "$room includes $included, which stands above it" "$file:$line:$text"
-  done < <(grep -rnE '#[[:space:]]*include[[:space:]]*([<"]pcl_spiral/|")[a-z_]+/' "$folder" || true)
+  room=${folder%/} room=${room##*/}
+  [ -n "${level[$room]:-}" ] || fault "folder without a place in the layers (give it one in cmake/guards.sh)" "$folder"
 done
+while IFS=: read -r file line text; do # from a string: of a pipe read takes one byte at a time
+  room=${file#"$library"/src/} room=${room#"$library"/include/pcl_spiral/} room=${room%%/*}
+  [[ $text =~ [\<\"](pcl_spiral/)?([a-z_]+)/ ]] || continue
+  included=${BASH_REMATCH[2]}
+  [ "${level[$included]:-99}" -le "${level[$room]:-99}" ] || fault "$room includes $included, which stands above it" "$file:$line:$text"
+done <<<"$(grep -rnE '#[[:space:]]*include[[:space:]]*([<"]pcl_spiral/|")[a-z_]+/' "$library"/include/pcl_spiral/*/ "$library"/src/*/ || true)"
 
 # Two classes of one name in two headers are one class to the linker, which then calls the functions of the other.
 fault "classes with the same name in two headers" \
@@ -41,22 +41,17 @@ fault "classes with the same name in two headers" \
     awk '$1 == name { print before; print } { name = $1; before = $0 }')"
 
 # Folders within a room (. is the room itself): each includes its own files and those of the folders named before it.
-part_order() { # ROOM -> its folders, from the ground up
-  case "$1" in
-    spiral) echo outlines lines field loops turns path linking published . ;;
-    io) echo . read write post report ;;
-    visualization) echo . viewer ;;
-    *) echo . ;;
-  esac
-}
+declare -A parts=([spiral]="outlines lines field loops turns path linking published ." [io]=". read write post report"
+  [visualization]=". viewer")
 reaches() { # ROOM OWN THEIRS: whether files of folder OWN may include those of folder THEIRS
   [ "$2" = "$3" ] && return
   [ "$1" = io ] && [ "$3" != . ] && return 1 # readers, writers, posts and reports stand side by side
-  [[ " $(part_order "$1") " =~ \ $3\ (.*\ )?$2\  ]]
+  [[ " ${parts[$1]} " =~ \ $3\ (.*\ )?$2\  ]]
 }
 for folder in "$library"/src/*/*/; do
-  room=$(basename "$(dirname "$folder")") own=$(basename "$folder")
-  case " $(part_order "$room") " in *" $own "*) ;; *) fault "folder without a place in its room (give it one in cmake/guards.sh)" "$folder" ;; esac
+  room=${folder#"$library"/src/} own=${folder%/}
+  room=${room%%/*} own=${own##*/}
+  case " ${parts[$room]:-.} " in *" $own "*) ;; *) fault "folder without a place in its room (give it one in cmake/guards.sh)" "$folder" ;; esac
 done
 while IFS=: read -r file line text; do
   place=${file#"$library"/src/} room=${file#"$library"/src/}
@@ -67,7 +62,7 @@ while IFS=: read -r file line text; do
   theirs=${theirs#*/}
   [[ $theirs = */* ]] && theirs=${theirs%/*} || theirs=.
   reaches "$room" "$own" "$theirs" || fault "$room/$own includes $room/$theirs, which does not stand below it" "$file:$line:$text"
-done < <(grep -rnE '#[[:space:]]*include[[:space:]]*"(spiral|io|visualization)/' $library/src || true)
+done <<<"$(grep -rnE '#[[:space:]]*include[[:space:]]*"(spiral|io|visualization)/' $library/src || true)"
 
 # What a user names: a new header goes to src, or to impl where a template's body needs it, unless it is put into the list on purpose.
 # Former places of headers have a list of their own: such a header has one include and no code.
@@ -98,31 +93,32 @@ fault "names of settings typed into a sentence; put them in braces, which each f
 fault "units typed into a sentence; put them in braces" "$(library_literals '[ (](mm|mm2|mm/min|mm/s2|degrees)([ ;:,.)"]|$)' | grep -v 'are degrees, longitude')"
 fault "fields in a text that is no diagnostic: they would be shown with their braces" \
   "$(library_literals '\{[a-zA-Z]' | grep -E 'std::string(\(| [a-z_]+ = | [a-z_]+\()"' || true)"
+lines_with() { # FOLDER...: the lines there that have a field of stdin in braces
+  sed 's/.*/{&}/' | grep -rnFf - "$@"
+}
 unknown_fields() {
   { library_literals '\{'; grep -rnE '"[^"]*\{[a-zA-Z]' $library/tools --include='*.cpp' --include='*.h' | grep -vE 'figures_table|PictureKind::|std::regex'; } | grep -oE '"([^"\\]|\\.)*"' | sed 's/{{//g; s/}}//g' | grep -oE '\{[^{}]*\}' | tr -d '{}' | sort -u |
-    grep -vE '^(mm|mm2|mm/min|mm/s2|degrees|number|place|direction|name|((set|add|clear)[A-Z]|[A-Z][a-z]+[A-Z]|[A-Z][A-Za-z]+::|pcl::|readCloud).*|Scale it to mm)$' |
-    while read -r field; do
-      grep -qF "{\"$field\"," $library/tools/terminal/vocabulary.cpp || grep -rnF "{$field}" $library
-    done
+    grep -vE '^(mm|mm2|mm/min|mm/s2|degrees|number|place|direction|name|((set|add|clear)[A-Z]|[A-Z][a-z]+[A-Z]|[A-Z][A-Za-z]+::|pcl::|readCloud).*|Scale it to mm| and )$' |
+    comm -23 - <(grep -oE '\{"[^"]*",' $library/tools/terminal/vocabulary.cpp | sed 's/^{"//; s/",$//' | sort -u) | lines_with $library
 }
 fault "fields of sentences that are neither names of C++, units nor in tools/terminal/vocabulary.cpp" "$(unknown_fields || true)"
 fault "sentences searched or cut; use the fields of the diagnostic" \
   "$(grep -rnE '(message|what|text|diagnostic)\(\)\.(find|substr|replace|compare)\(|warnings(\(\))?\.front\(\)' $library || true)"
-in_vocabulary() { # FIELD: whether programs have words for it: of their own, or the option of its setting
-  grep -qF "{\"$1\"," $library/tools/terminal/vocabulary.cpp ||
-    grep -rqE "(Setting\(|^ *)\"[a-z_]+\", \"$1\"," $library/src $library/include
+fields_of_programs() { # fields for which programs have words: of their own, or the option of a setting
+  { grep -oE '\{"[^"]*",' $library/tools/terminal/vocabulary.cpp
+    grep -rhoE '(Setting\(|^ *)"[a-z_]+", "[^"]*",' $library/src $library/include; } | sed -E 's/.*"([^"]*)",$/\1/' | sort -u
 }
 unnamed_setters() { # that the spiral names, but no program has an option for; inputs and tolerances of single classes have none
   grep -rhoE '\{(set|add|clear)[A-Z][^}]*\}' $library/src/spiral $library/include/pcl_spiral/spiral/impl | tr -d '{}' |
-    grep -vE '^set(Input[A-Za-z]*|Tolerance|FitTolerance)$|^clearRadialLines$' | sort -u | while read -r setter; do
-    in_vocabulary "$setter" || grep -rnF "{$setter}" $library/src/spiral $library/include/pcl_spiral/spiral
-  done
+    grep -vE '^set(Input[A-Za-z]*|Tolerance|FitTolerance)$|^clearRadialLines$' | sort -u | comm -23 - <(fields_of_programs) |
+    lines_with $library/src/spiral $library/include/pcl_spiral/spiral
 }
 fault "setters in sentences without an option in a table of settings or in tools/terminal/vocabulary.cpp" "$(unnamed_setters || true)"
 missing_setters() { # that planners name, but that no class a planner is made of has
-  grep -rhoE '\{(set|add|clear)[A-Z][A-Za-z]*\}' $library/src/planning $library/include/pcl_spiral/planning | tr -d '{}' | sort -u | while read -r setter; do
-    grep -rqE "\b$setter\(" $library/include/pcl_spiral/{planning,spiral,ridge,drive,surface,mesh/impl} || grep -rnF "{$setter}" $library/src/planning $library/include/pcl_spiral/planning
-  done
+  grep -rhoE '\{(set|add|clear)[A-Z][A-Za-z]*\}' $library/src/planning $library/include/pcl_spiral/planning | tr -d '{}' | sort -u |
+    comm -23 - <(grep -rhoE '\b(set|add|clear)[A-Z][A-Za-z]*\(' $library/include/pcl_spiral/{planning,spiral,ridge,drive,surface,mesh/impl} |
+      tr -d '(' | sort -u) |
+    lines_with $library/src/planning $library/include/pcl_spiral/planning
 }
 fault "setters in sentences of planners that no planner has" "$(missing_setters || true)"
 

@@ -69,19 +69,28 @@ textOf(const std::string& id, const std::string& page)
   return text;
 }
 
+/** Why no scene can be looked at here; empty: one can. */
+std::string
+lackOfScenes()
+{
+  if (browser().empty())
+    return "no chromium in the PATH: scenes of reports are not looked at";
+  if (!std::getenv("DISPLAY"))
+    return "no display for the pictures of the .html";
+  const ScratchFolder folder;
+  writeText(folder.path("probe.html"), "<canvas></canvas><p id=\"found\"></p><script>document.getElementById('found').textContent = "
+                                       "document.querySelector('canvas').getContext('webgl') ? 'yes' : 'no'</script>");
+  const RunResult probe = shown("probe.html", folder);
+  return textOf("found", probe.out) == "yes" ? "" : "chromium does not run here, or has no WebGL: " + probe.err.substr(0, 400);
+}
+
 class ReportScene : public ::testing::Test {
 protected:
   void SetUp() override
   {
-    if (browser().empty())
-      GTEST_SKIP() << "no chromium in the PATH: scenes of reports are not looked at";
-    if (!std::getenv("DISPLAY"))
-      GTEST_SKIP() << "no display for the pictures of the .html";
-    writeText(folder_.path("probe.html"), "<canvas></canvas><p id=\"found\"></p><script>document.getElementById('found').textContent = "
-                                          "document.querySelector('canvas').getContext('webgl') ? 'yes' : 'no'</script>");
-    const RunResult probe = shown("probe.html", folder_);
-    if (textOf("found", probe.out) != "yes")
-      GTEST_SKIP() << "chromium does not run here, or has no WebGL: " << probe.err.substr(0, 400);
+    static const std::string lack = lackOfScenes();
+    if (!lack.empty())
+      GTEST_SKIP() << lack;
   }
 
   void run(const char* program, const Arguments& arguments)

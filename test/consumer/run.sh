@@ -11,7 +11,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 first="$scratch/first prefix"
 second="$scratch/second prefix"
-export CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1 # the same cache entries whatever the scratch folder is called
+# The same cache entries whatever the scratch folder is called, for compilers that start in it.
+export CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1
 
 fail() { echo "consumer: $*" >&2; exit 1; }
 
@@ -33,14 +34,13 @@ make_by_pkg_config() { # NAME PACKAGE PREFIX: the same sources as NAME, by pkg-c
     objects+=("$scratch/$1_$(basename "$source").o")
     compiler="${CXX:-c++} ${CXXFLAGS:-} -std=c++17"
     [[ $source != *.c ]] || compiler=${CC:-cc}
-    eval "$compiler -c -o \"\${objects[-1]}\" \"\$source\" $compile"
+    (cd "$scratch" && eval "$compiler -c -o \"\${objects[-1]}\" \"\$source\" $compile")
   done
   eval "${CXX:-c++} ${CXXFLAGS:-} -o \"\$3/bin/$1_by_pkg_config\" \"\${objects[@]}\" $link '-Wl,-rpath,\$ORIGIN/../lib'"
 }
 
 refuse_without_lz4() { # PREFIX: FLANN's headers call it, so a program cannot do without; the remedy is named
-  ! cmake -G Ninja -S "$here/c_and_cxx" -B "$scratch/without_lz4" "${options[@]}" -DCMAKE_PREFIX_PATH="$1" -Dlz4_LIBRARY= \
-    >"$scratch/log" 2>&1 || fail "c_and_cxx configures without lz4"
+  ! cmake -Dlz4_LIBRARY= "$scratch/c_and_cxx" >"$scratch/log" 2>&1 || fail "c_and_cxx configures without lz4"
   grep -q liblz4-dev "$scratch/log" || { cat "$scratch/log"; fail "a missing lz4 is not named"; }
   PKG_CONFIG_PATH="$1/lib/pkgconfig" pkg-config --print-requires pcl_spiral | grep -qx liblz4 || fail "pcl_spiral.pc does not name lz4"
 }

@@ -13,69 +13,81 @@ diff <(sed -n '/^```cpp$/,/^```$/ { /^```/d; p }' "$source_dir/README.md") <(gre
 
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-missed=0
+cp -r "$source_dir"/{pcl_spiral,examples,cmake,CMakeLists.txt,CMakePresets.json} "$tree"
 
-plant() { # FILE LINE: a fresh copy with LINE at the end of FILE must be refused, naming FILE
-  rm -rf "${tree:?}"/*
-  cp -r "$source_dir"/{pcl_spiral,examples,cmake,CMakeLists.txt,CMakePresets.json} "$tree"
-  mkdir -p "$(dirname "$tree/$1")"
-  [ -e "$tree/$1" ] || echo '// SPDX-License-Identifier: BSD-3-Clause' >"$tree/$1" # so that it is not this that is found
-  printf '%s\n' "$2" >>"$tree/$1"
-  if said=$(CLANG_FORMAT=none bash "$guards" "$tree" 2>&1) || ! grep -qF "$(dirname "$1")" <<<"$said"; then
-    echo "not found: '$2' in $1" >&2
-    missed=1
-  fi
+# All faults stand in one copy. No guard is meant to find two of them in one file: what it says of the file is of this fault alone.
+titles=() found_in=() lines=()
+plant() { # TITLE FILE LINE [FOUND]: puts LINE at the end of FILE; the guard of that TITLE is to name FILE, or what it FOUND
+  mkdir -p "$(dirname "$tree/$2")"
+  [ -e "$tree/$2" ] || echo '// SPDX-License-Identifier: BSD-3-Clause' >"$tree/$2" # so that it is not this that is found
+  printf '%s\n' "$3" >>"$tree/$2"
+  titles+=("$1") found_in+=("${4:-$2}") lines+=("$3")
 }
 
 headers=pcl_spiral/include/pcl_spiral
-plant $headers/core/polyline.h '#include <pcl/point_types.h>'
-plant pcl_spiral/src/core/polyline.cpp '# include "pcl/point_cloud.h"'
-plant $headers/core/polyline.h '#include <pcl_spiral/common/status.h>'
-plant $headers/common/status.h '#include <pcl_spiral/surface/mls_projector.h>'
-plant $headers/surface/impl/planted.hpp '#include <pcl_spiral/geodesic/geodesic_path.h>'
-plant pcl_spiral/src/cutter/planted.cpp '#include <pcl_spiral/io/toolpath_writer.h>'
-plant $headers/utils/planted.h '#pragma once'
-plant $headers/core/planted.h '#pragma once'
-plant $headers/toolpath/tool_axis.h 'struct Planted {};'
-plant pcl_spiral/src/mesh/planted.cpp '#include "drive/line_gaps.h"'
-plant pcl_spiral/src/spiral/lines/segment_set.h '#include "spiral/loops/loop_finder.h"'
-plant pcl_spiral/src/io/read/text_scan.h '#include "io/post/post_text.h"'
-plant pcl_spiral/src/visualization/sheet.h '#include "visualization/viewer/viewer_keys.h"'
-plant pcl_spiral/src/mesh/planted/planted.h '#pragma once'
-plant $headers/common/status.h "// $(yes x | head -n 140 | tr -d '\n')"
-plant $headers/common/status.h 'struct Planted { int threads_ = 0; };'
-plant $headers/spiral/spiral_settings.h 'struct Planted { int chunk_size_ = 0; };'
-plant pcl_spiral/src/core/polyline.cpp 'const char* const planted = "thin it (--thin)";'
-plant pcl_spiral/src/core/polyline.cpp 'const char* const planted = "thin it (setThinning)";'
-plant pcl_spiral/src/core/polyline.cpp 'const char* const planted = " mm are left";'
-plant pcl_spiral/src/core/polyline.cpp 'const std::string planted = "take {mm}";'
-plant pcl_spiral/src/core/polyline.cpp 'const char* const planted = "the {skan} is empty";'
-plant pcl_spiral/tools/terminal/scan_side.cpp 'const Diagnostic planted = "start it in {header: [G55]}";'
-plant pcl_spiral/src/spiral/settings_check.cpp 'const char* const planted = "set it ({setPlanted})";'
-plant pcl_spiral/src/planning/plan_regions.cpp 'const char* const planted = "set it ({setPlanted})";'
-plant pcl_spiral/tools/drive/planning.cpp 'void planted() try {} catch (...) {}'
-plant pcl_spiral/src/planning/plan_regions.cpp 'void planted() try {} catch (...) {}'
-plant pcl_spiral/tools/terminal/scan_side.cpp 'const bool planted = status.message().find("gap") > 0;'
-plant pcl_spiral/tools/terminal/scan_side.cpp 'const Diagnostic planted = surface->warnings().front();'
-plant pcl_spiral/src/core/polyline.cpp 'void planted(const int& n) { const_cast<int&>(n) = 0; }'
-plant pcl_spiral/src/ridge/planted.h 'class OutlineSide {};'
-plant CMakeLists.txt 'add_compile_options(-march=native)'
-plant pcl_spiral/CMakeLists.txt 'target_compile_options(pcl_spiral PRIVATE -ffast-math)'
-plant cmake/planted.cmake 'add_compile_definitions(PCL_NO_PRECOMPILE)'
-plant pcl_spiral/src/core/polyline.cpp '#pragma GCC optimize("fast-math")'
-plant $headers/common/impl/progress.h '/** Of \p shares in the work. */
+sources=pcl_spiral/src
+plant 'core stands on Eigen alone' $headers/core/polyline.h '#include <pcl/point_types.h>'
+plant 'core stands on Eigen alone' $sources/core/polyline.cpp '# include "pcl/point_cloud.h"'
+plant 'core includes common, which' $headers/core/polyline.h '#include <pcl_spiral/common/status.h>'
+plant 'common includes surface, which' $headers/common/status.h '#include <pcl_spiral/surface/mls_projector.h>'
+plant 'surface includes geodesic, which' $headers/surface/impl/planted.hpp '#include <pcl_spiral/geodesic/geodesic_path.h>'
+plant 'cutter includes io, which' $sources/cutter/planted.cpp '#include <pcl_spiral/io/toolpath_writer.h>'
+plant 'mesh includes drive, which' $sources/mesh/planted.cpp '#include "drive/line_gaps.h"'
+plant 'spiral/lines includes spiral/loops, which' $sources/spiral/lines/segment_set.h '#include "spiral/loops/loop_finder.h"'
+plant 'io/read includes io/post, which' $sources/io/read/text_scan.h '#include "io/post/post_text.h"'
+plant 'visualization/. includes visualization/viewer, which' $sources/visualization/sheet.h '#include "visualization/viewer/viewer_keys.h"'
+plant 'folder without a place in the layers' $headers/utils/planted.h '#pragma once' $headers/utils/
+plant 'folder without a place in its room' $sources/mesh/planted/planted.h '#pragma once' $sources/mesh/planted/
+plant 'public headers that are in neither' $headers/core/planted.h '#pragma once'
+plant 'forwarding header with more than one include' $headers/toolpath/tool_axis.h 'struct PlantedAxis {};'
+plant 'classes with the same name' $sources/ridge/planted.h 'class OutlineSide {};'
+plant 'newer PCL base classes' $headers/common/status.h 'struct PlantedStatus { int threads_ = 0; };'
+plant 'newer PCL base classes' $headers/spiral/spiral_settings.h 'struct PlantedSettings { int chunk_size_ = 0; };'
+plant 'messages of the library name setters' $sources/core/polyline.cpp 'const char* const planted = "thin it (--thin)";'
+plant 'names of settings typed' $sources/core/polyline.cpp 'const char* const planted = "thin it (setThinning)";'
+plant 'units typed' $sources/core/polyline.cpp 'const char* const planted = " mm are left";'
+plant 'fields in a text that is no diagnostic' $sources/core/polyline.cpp 'const std::string planted = "take {mm}";'
+plant 'fields of sentences' $sources/core/polyline.cpp 'const char* const planted = "the {skan} is empty";'
+plant 'fields of sentences' pcl_spiral/tools/terminal/scan_side.cpp 'const Diagnostic planted = "start it in {header: [G55]}";'
+plant 'setters in sentences without an option' $sources/spiral/settings_check.cpp 'const char* const planted = "set it ({setPlanted})";'
+plant 'setters in sentences of planners' $sources/planning/plan_regions.cpp 'const char* const planted = "set it ({setPlanted})";'
+plant 'planning steered by exceptions' pcl_spiral/tools/drive/planning.cpp 'void planted() try {} catch (...) {}'
+plant 'planning steered by exceptions' $sources/planning/plan_regions.cpp 'void planted() try {} catch (...) {}'
+plant 'sentences searched or cut' pcl_spiral/tools/terminal/scan_side.cpp 'const bool planted = status.message().find("gap") > 0;'
+plant 'sentences searched or cut' pcl_spiral/tools/drive/planning.cpp 'const Diagnostic planted = surface->warnings().front();'
+plant 'constants changed by a cast' $sources/core/polyline.cpp 'void planted(const int& n) { const_cast<int&>(n) = 0; }'
+plant 'flags that break' CMakeLists.txt 'add_compile_options(-march=native)' ./CMakeLists.txt
+plant 'flags that break' pcl_spiral/CMakeLists.txt 'target_compile_options(pcl_spiral PRIVATE -ffast-math)' ./pcl_spiral/CMakeLists.txt
+plant 'flags that break' cmake/planted.cmake 'add_compile_definitions(PCL_NO_PRECOMPILE)' ./cmake/planted.cmake
+plant 'pragmas that break' $sources/core/polyline.cpp '#pragma GCC optimize("fast-math")'
+plant 'lines of over 140' $headers/common/status.h "// $(yes x | head -n 140 | tr -d '\n')"
+: >"$tree/$sources/core/planted.h"
+plant 'files without the line of their licence' $sources/core/planted.h '#pragma once'
+plant 'examples that are too long' examples/example_step_over.cpp "$(yes '// more' | head -n 61)"
+plant 'examples that are too long' examples/example_stage_by_stage.cpp "$(yes '// more' | head -n 20)"
+plant 'lines of code that are in no example' pcl_spiral/doc/stage_by_stage.md '```cpp
+surface->noSuchFunction();
+```'
+plant 'constants on a page' pcl_spiral/doc/constants_path.md '| `tie = 1.5` in `src/spiral/method_choice.cpp` | ratio | planted | planted |'
+plant 'files that a page names' pcl_spiral/doc/code_map.md 'See `src/spiral/planted.cpp`.'
+plant 'pages of over 150 lines' pcl_spiral/doc/limits.md "$(yes 'more' | head -n 150)"
+plant 'names that are not in the declaration' $headers/common/impl/progress.h '/** Of \p shares in the work. */
 double percentOf(double share);'
-plant $headers/common/status.h 'enum class Planted { One, Two };'
-plant $headers/common/status.h 'enum class Planted {
+plant 'values of a public enumeration' $headers/common/status.h 'enum class PlantedRow { One, Two };'
+plant 'values of a public enumeration' $headers/spiral/spiral_settings.h 'enum class PlantedColumn {
   One, ///< the first
   Two
 };'
-plant examples/example_step_over.cpp "$(yes '// more' | head -n 61)"
-plant examples/example_stage_by_stage.cpp "$(yes '// more' | head -n 20)"
-plant pcl_spiral/doc/stage_by_stage.md '```cpp
-surface->noSuchFunction();
-```'
-plant pcl_spiral/doc/constants_path.md '| `tie = 1.5` in `src/spiral/method_choice.cpp` | ratio | planted | planted |'
-plant pcl_spiral/doc/code_map.md 'See `src/spiral/planted.cpp`.'
-plant pcl_spiral/doc/limits.md "$(yes 'more' | head -n 150)"
+
+if CLANG_FORMAT=none bash "$guards" "$tree" >"$tree/said" 2>&1; then
+  echo "the guards pass a tree with faults" >&2
+  exit 1
+fi
+missed=0
+for n in "${!titles[@]}"; do
+  # a guard's report is a paragraph: its title, then what it found
+  awk -v RS= -v title="${titles[n]}" -v found="${found_in[n]}" \
+    'index($0, title) == 1 && index($0, "\n" found) + index($0, " " found) { named = 1 } END { exit !named }' "$tree/said" ||
+    { echo "not found under '${titles[n]}': '${lines[n]%%$'\n'*}' in ${found_in[n]}" >&2; missed=1; }
+done
 exit $missed
