@@ -8,12 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 
 namespace pcl_spiral {
 namespace {
 
 constexpr float sharpest_corner = 0.25f; // of a full turn: a corner of 90 degrees
 constexpr float reentrant = 0.75f;       // the same of one of 270: where more is filled, the offset is noise
+constexpr std::size_t few_steps = 64;    // triangles walked over for each one about a void; no result depends on it
 
 /** The work of voidJoints. */
 class VoidJoints {
@@ -24,32 +26,81 @@ public:
 
   std::vector<std::uint8_t> find()
   {
-    if (!findVoids())
+    findVoids();
+    if (leadAround())
       return {};
     findSurfaces();
     return between();
   }
 
 private:
-  /** Flags the triangles over a void: an edge is longer than the widest one by the spacing at both of its ends. False if there is none. */
-  bool findVoids()
+  /** Flags the triangles over a void: an edge is longer than the widest one by the spacing at both of its ends. */
+  void findVoids()
   {
     is_void_.assign(mesh_.triangleCount(), 0);
     forPoints(is_void_.size(), [&](std::uint32_t t) {
-      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-        const std::uint32_t a = mesh_.origin(h), b = mesh_.target(h);
-        const float length = (cloud_.blocks.point(b) - cloud_.blocks.point(a)).norm();
-        is_void_[t] |= isWide(length, a) && isWide(length, b);
+      const Triangulation::Triangle& v = mesh_.triangle(t);
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t a = v[i], b = v[(i + 1) % 3];
+        const float squared = (cloud_.blocks.point(b) - cloud_.blocks.point(a)).squaredNorm();
+        is_void_[t] |= isWide(squared, a) && isWide(squared, b);
       }
     });
-    return std::find(is_void_.begin(), is_void_.end(), 1) != is_void_.end();
   }
 
-  /** Whether a void of this width at point \p v is no surface. */
-  bool isWide(float width, std::uint32_t v) const
+  /** Whether all that is about the voids is connected beside them within a few triangles, as about a notch of a rim: then they join nothing,
+   *  and the whole mesh need not be walked over. */
+  bool leadAround() const
+  {
+    std::unordered_set<std::uint32_t> seen;
+    for (std::uint32_t t = 0; t < is_void_.size(); ++t)
+      if (is_void_[t] && seen.insert(t).second && !leadsAround(voidWith(t, seen)))
+        return false;
+    return true;
+  }
+
+  /** The triangles over the void of triangle \p t, by edges; put into \p seen. */
+  std::vector<std::uint32_t> voidWith(std::uint32_t t, std::unordered_set<std::uint32_t>& seen) const
+  {
+    std::vector<std::uint32_t> all{t};
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::uint32_t h = 3 * all[i]; h < 3 * all[i] + 3; ++h)
+        if (const std::uint32_t other = mesh_.opposite(h);
+            other != Triangulation::none && is_void_[other / 3] && seen.insert(other / 3).second)
+          all.push_back(other / 3);
+    return all;
+  }
+
+  /** The same of one void. */
+  bool leadsAround(const std::vector<std::uint32_t>& over_void) const
+  {
+    std::unordered_set<std::uint32_t> about; // not over a void, at its points
+    for (const std::uint32_t t : over_void)
+      for (const std::uint32_t v : mesh_.triangle(t))
+        for (std::uint32_t k = mesh_.outgoingBegin(v); k < mesh_.outgoingBegin(v + 1); ++k)
+          if (const std::uint32_t other = mesh_.outgoing(k) / 3; !is_void_[other])
+            about.insert(other);
+    if (about.empty())
+      return true;
+    const std::size_t most = few_steps * about.size();
+    std::vector<std::uint32_t> walk{*about.begin()};
+    std::unordered_set<std::uint32_t> seen{walk.front()};
+    std::size_t found = 1;
+    for (std::size_t i = 0; i < walk.size() && found < about.size() && walk.size() < most; ++i)
+      for (std::uint32_t h = 3 * walk[i]; h < 3 * walk[i] + 3; ++h)
+        if (const std::uint32_t other = mesh_.opposite(h);
+            other != Triangulation::none && !is_void_[other / 3] && seen.insert(other / 3).second) {
+          walk.push_back(other / 3);
+          found += about.count(other / 3);
+        }
+    return found == about.size();
+  }
+
+  /** Whether a void of this width, squared, at point \p v is no surface. */
+  bool isWide(float squared, std::uint32_t v) const
   {
     const float most = widest_ * cloud_.radii[v];
-    return width > std::sqrt(sharpest_corner) * most && width > std::sqrt(filledShare(offsets_[v])) * most;
+    return squared > sharpest_corner * most * most && squared > filledShare(offsets_[v]) * most * most;
   }
 
   /** Distance of the centroid of a sector with this share of a disc from the middle, in radii: 2/3 sin(a/2) / (a/2) for the angle a. */
