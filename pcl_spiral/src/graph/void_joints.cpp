@@ -48,8 +48,8 @@ private:
     });
   }
 
-  /** Whether all that is about the voids is connected beside them within a few triangles, as about a notch of a rim: then they join nothing,
-   *  and the whole mesh need not be walked over. */
+  /** Whether all that is about the voids is connected beside them within a few triangles, as about a notch of a rim. Then they join
+   *  nothing, and there is no need to walk over the whole mesh. */
   bool leadAround() const
   {
     std::unordered_set<std::uint32_t> seen;
