@@ -3,6 +3,7 @@
 
 #include "planning/input_tables.h"
 #include "planning/lacking_points.h"
+#include "planning/point_noise.h"
 #include "planning/scan_clearance.h"
 #include "spiral/scan_warnings.h"
 
@@ -21,9 +22,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double all_points = 0.98;  // share of the points: a path over fewer does not cut the whole scan
-constexpr double least_points = 0.1; // the same: a path over fewer cuts a thing on the part, or beside it, such as a clamp
-constexpr double deepest = 0.3;      // radii of the ball in a point: deeper is no noise, but shape that so few points do not show
+constexpr double all_points = 0.98;   // share of the points: a path over fewer does not cut the whole scan
+constexpr double least_points = 0.1;  // the same: a path over fewer cuts a thing on the part, or beside it, such as a clamp
+constexpr double finish_share = 0.25; // of the scallop height: no more is measurable in the finish asked for
+constexpr double deepest = 0.3;       // radii of the ball in a point: deeper is no noise, but shape that so few points do not show
 
 /** Whether turns were made. */
 bool
@@ -51,6 +53,16 @@ double
 noiseOf(const SpiralReport& report)
 {
   return report.missed.least > 0.0 ? std::min(report.noise, report.missed.noise) : report.noise;
+}
+
+/** How deep the ball of \p plan may be in its \p points, mm. Shape that a fit misses is no noise. */
+double
+allowedDepth(const SpiralPlan& plan, const std::vector<Eigen::Vector3f>& points)
+{
+  const SpiralSettings& s = plan.settings;
+  const double of_fit = std::min(gougeTolerance(s.chord_error, noiseOf(plan.report)), deepest * s.tool_radius);
+  const double of_points = gougeTolerance(s.chord_error, pointNoise(points));
+  return std::min(of_fit, std::max(of_points, finish_share * s.scallop_height));
 }
 
 /** What the path of \p plan is like. */
@@ -180,9 +192,8 @@ isClear(const SpiralPlan& plan)
   pcl::PointCloud<pcl::PointXYZ> things;
   for (const Eigen::Vector3f& p : withoutEchoes(points, largest_echo))
     things.push_back({p.x(), p.y(), p.z()});
-  const SpiralSettings& s = plan.settings;
-  const double allowed = std::min(gougeTolerance(s.chord_error, noiseOf(plan.report)), deepest * s.tool_radius);
-  return deepestPoint(*plan.path, plan.report.pass_begins, s.tool_radius, things).depth <= allowed;
+  const double depth = deepestPoint(*plan.path, plan.report.pass_begins, plan.settings.tool_radius, things).depth;
+  return depth <= allowedDepth(plan, points);
 }
 
 Diagnostic

@@ -166,6 +166,10 @@ public:
     pcl::Indices kept;
     if (const Status status = select(region, kept); !status.ok())
       return status;
+    if (kept.empty())
+      return {StatusCode::InvalidInput, Diagnostic("no point is left at which a ball of ", tool.radius,
+                                                   " {mm} stays out of the keep-outs ({addKeepOut}): give smaller "
+                                                   "ones, or take a smaller ball ({setToolRadius})")};
     const pcl::Indices others = leftOutFor(LeftOut::OtherPart, *surface), isolated = leftOutFor(LeftOut::Isolated, *surface);
     const pcl::Indices beside = nearerTo(others, isolated, *surface, *cloud_);
     kept = without(beside, without(others, kept));

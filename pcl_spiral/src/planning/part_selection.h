@@ -41,8 +41,8 @@ struct StripChoice {
 
 /** Finds the points of the part: those inside crop and region at which \p tool can touch without entering a keep-out, its shank (see
  *  ball_way.h) without touching what was scanned there (radius 0: those outside of keep-outs). The narrow \p strips beside keep-outs are
- *  left out, too; they are no warnings. Fails if no point is left (InvalidArgument), on a polygon that is no area, and if the points form
- *  no surface. */
+ *  left out, too; they are no warnings. Fails if no point is left (InvalidArgument; InvalidInput if the ball has no room beside the
+ *  keep-outs), on a polygon that is no area, and if the points form no surface. */
 Status choosePart(const WholeScan& scan, const PartChoice& choice, const PartTool& tool, const StripChoice& strips, ChosenPart& part);
 
 } // namespace pcl_spiral

@@ -21,10 +21,20 @@ namedRegions(std::vector<PlanRegion> regions)
 PartChoice
 choiceOf(PartChoice choice, const PlanRegion& region)
 {
-  choice.region = region.polygon;
+  if (region.polygon)
+    choice.region = region.polygon;
   if (region.part_at)
     choice.part_at = region.part_at;
   return choice;
+}
+
+void
+chooseOnly(std::vector<PlanRegion>& regions, PartChoice& choice)
+{
+  if (regions.size() != 1)
+    return;
+  choice = choiceOf(choice, regions.front());
+  regions.front() = {{}, {}, regions.front().name};
 }
 
 ProgressCallback
@@ -51,7 +61,8 @@ ofRegion(const std::string& region, Diagnostics warnings)
 Status
 checkPartOfMesh(const PartChoice& choice, const std::vector<PlanRegion>& regions)
 {
-  const bool has_polygon = std::any_of(regions.begin(), regions.end(), [](const PlanRegion& region) { return region.polygon.has_value(); });
+  const bool has_polygon =
+      choice.region || std::any_of(regions.begin(), regions.end(), [](const PlanRegion& region) { return region.polygon.has_value(); });
   const char* const setter = choice.crop_box             ? "{setCropBox}"
                              : choice.crop               ? "{setCrop}"
                              : !choice.keep_outs.empty() ? "{addKeepOut}"

@@ -19,6 +19,9 @@ std::vector<PlanRegion> namedRegions(std::vector<PlanRegion> regions);
 /** \p choice for one \p region. */
 PartChoice choiceOf(PartChoice choice, const PlanRegion& region);
 
+/** Moves polygon and place of an only region to the \p choice, where all look for them: given as a region they mean no more. */
+void chooseOnly(std::vector<PlanRegion>& regions, PartChoice& choice);
+
 /** Progress of region \p i of \p count. */
 ProgressCallback progressOf(const ProgressCallback& whole, std::size_t i, std::size_t count);
 

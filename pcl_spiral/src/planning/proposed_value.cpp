@@ -84,8 +84,9 @@ takeProposed(const Proposed& proposed, const Eigen::Vector3d& place, PlanInput& 
   if (proposed.setting == "addKeepOut")
     return takeKeepOut(proposed, place, input);
   if (const auto* at = std::get_if<Eigen::Vector3d>(&proposed.value); at && proposed.setting == "setPartAt") {
-    input.choice.part_at = *at;
-    return Given(proposed.setting, *at);
+    const Eigen::Vector3d shown = (per_mm * *at).array().round() / per_mm;
+    input.choice.part_at = shown;
+    return Given(proposed.setting, shown);
   }
   for (const Setting& setting : settingTable(input.settings) + settingTable(input)) {
     if (setting.setter != proposed.setting)

@@ -16,8 +16,8 @@
 namespace pcl_spiral {
 
 /** Gives \p input the value that is \p proposed by a refusal at \p place; what it was given, as it is shown: numbers have three digits and
- *  do not exceed what is proposed, and a box that is kept out ends on whole micrometres. By a number proposed for addKeepOut, a box about
- *  the keep-out nearest to \p place grows. Nothing if the input has this value, or no such setting. */
+ *  do not exceed what is proposed, and places and boxes that are kept out are in whole micrometres. By a number proposed for addKeepOut, a
+ *  box about the keep-out nearest to \p place grows. Nothing if the input has this value, or no such setting. */
 std::optional<Given> takeProposed(const Proposed& proposed, const Eigen::Vector3d& place, PlanInput& input);
 
 /** Whether the surface of the scan is the same for all values of the \p setter. */

@@ -45,7 +45,7 @@ findSeenParts(const PlanInput& input, SeenParts& seen)
     seen.chosen = chosen;
     return Status::success();
   }
-  const bool divided = input.choice.cuts() || !input.regions.empty(); // then the points are chosen by their place
+  const bool divided = input.choice.cuts() || input.regions.size() > 1; // then the points are chosen by their place
   if (divided && !isChosen(input))
     return Status::success();
   SurfaceSettings settings = input.settings;

@@ -236,7 +236,7 @@ private:
       }
   }
 
-  /** A smaller ball, which is another tool. */
+  /** A smaller ball, which is another tool. It stays less far from keep-outs, so that more of the part is left beside them. */
   void addSmallerBalls()
   {
     bool is_proposed = false;
@@ -244,7 +244,8 @@ private:
       is_proposed = (proposed.setting == "setToolRadius" && add(proposed)) || is_proposed;
     const bool is_edge = names("setTightHandling") && !names("setToolRadius"); // which no ball fits into
     const double radius = input_.settings.tool_radius;
-    if (!is_proposed && !is_edge && (names("setToolRadius") || late_ || input_.ball_closing))
+    const bool may_help = names("setToolRadius") || late_ || input_.ball_closing || !input_.choice.keep_outs.empty();
+    if (!is_proposed && !is_edge && may_help)
       for (const double share : smaller_balls)
         add(Proposed("setToolRadius", share * radius), names("setToolRadius"));
   }

@@ -223,6 +223,7 @@ planSpiral(const PlanInput& input, SpiralPlan& plan)
 {
   PlanInput given = input;
   given.progress = neverLess(input.progress);
+  chooseOnly(given.regions, given.choice);
   const Status status = planOnce(given, closing_tries, plan);
   const bool final = status.ok() || status.code() == StatusCode::InvalidArgument || status.code() == StatusCode::Cancelled;
   if (final || input.remedy_tries == 0)

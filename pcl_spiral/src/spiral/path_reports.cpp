@@ -3,7 +3,10 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace pcl_spiral {
 namespace {
@@ -52,10 +55,12 @@ whyNotRadial(const Status& status, const SpiralTurns& turns)
 Status
 neitherMethod(const Status& scallop, const Status& radial)
 {
+  const std::vector<std::string> fields = scallop.diagnostic().fields();
+  const bool is_narrow = std::find(fields.begin(), fields.end(), "scan more densely") != fields.end(); // and so are pieces
   return {StatusCode::Failed,
-          Diagnostic("both methods fail here, so the other one is no remedy: cut the part into pieces ({PartRegion}), or scan it more "
-                     "densely. At constant scallop height: ",
-                     scallop.diagnostic(), ". With radial lines: ", radial.diagnostic())};
+          Diagnostic("both methods fail here, so the other one is no remedy",
+                     is_narrow ? "" : ": cut the part into pieces ({PartRegion}), or scan it more densely",
+                     ". At constant scallop height: ", scallop.diagnostic(), ". With radial lines: ", radial.diagnostic())};
 }
 
 } // namespace pcl_spiral

@@ -201,6 +201,32 @@ TEST(BallClosingPlans, JoinedPartsAreNamedAndOneCanBeChosen)
   EXPECT_LT(heights(table).highest, 1.5f); // it ends where the ball would touch the block
 }
 
+/** A program gives a place as a region. */
+TEST(BallClosingPlans, AnOnlyRegionChoosesAsThePlaceDoes)
+{
+  const Cloud::Ptr scan = blockOnTable();
+  const auto pathOf = [&scan](Planner& planner) {
+    prepare(scan, planner);
+    pcl::PointCloud<ToolpathPoint> path;
+    planner.compute(path);
+    EXPECT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    return path;
+  };
+  Planner by_place, by_region, of_all, of_all_in_one;
+  by_place.setPartAt({3, 4, 15});
+  by_region.addRegion({{}, Vector3d(3, 4, 15), "block"});
+  of_all_in_one.addRegion({});
+  const auto same = [](const pcl::PointCloud<ToolpathPoint>& a, const pcl::PointCloud<ToolpathPoint>& b) {
+    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](const ToolpathPoint& p, const ToolpathPoint& q) {
+             return p.getVector3fMap() == q.getVector3fMap();
+           });
+  };
+  EXPECT_TRUE(same(pathOf(by_place), pathOf(by_region)));
+  EXPECT_TRUE(same(pathOf(of_all), pathOf(of_all_in_one)));
+  EXPECT_EQ(by_region.getPlan().region, "block");
+  EXPECT_EQ(of_all_in_one.getReport().warnings.size(), of_all.getReport().warnings.size()); // that parts beside each other are joined
+}
+
 TEST(BallClosingPlans, ARefusalNamesItIfItWouldGiveAPath)
 {
   const Cloud::Ptr scan = blockOnTable(); // two separate parts

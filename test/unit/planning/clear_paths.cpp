@@ -68,4 +68,57 @@ TEST(ClearPaths, EchoesDoNotForbidAPath)
   EXPECT_TRUE(isClear(planner.getPlan()));
 }
 
+/** A wave \p length long and 3 mm from top to bottom, seen at points \p apart. */
+ScanPtr
+waveScan(double length, double apart, double noise)
+{
+  Random random(5);
+  const ScanPtr scan(new pcl::PointCloud<pcl::PointXYZ>);
+  for (int i = 0; i < 16; ++i)
+    for (int k = 0; k < 16; ++k) {
+      const double x = apart * (i + random.uniform(-0.1, 0.1)), y = apart * (k + random.uniform(-0.1, 0.1));
+      scan->emplace_back(static_cast<float>(x), static_cast<float>(y),
+                         static_cast<float>(1.5 * std::sin(2.0 * M_PI * x / length) + noise * random.normal()));
+    }
+  return scan;
+}
+
+/** The deepest point of \p scan in a ball of radius \p radius along \p path. */
+double
+deepestOf(const pcl::PointCloud<ToolpathPoint>& path, double radius, const pcl::PointCloud<pcl::PointXYZ>& scan)
+{
+  double depth = 0.0;
+  for (const ToolpathPoint& p : path) {
+    const Eigen::Vector3f centre = p.getVector3fMap() + static_cast<float>(radius) * p.getNormalVector3fMap();
+    for (const pcl::PointXYZ& q : scan)
+      depth = std::max(depth, radius - static_cast<double>((q.getVector3fMap() - centre).norm()));
+  }
+  return depth;
+}
+
+/** What 32 points far apart leave of a fit is shape: the noise that was added decides. */
+TEST(ClearPaths, OfACoarseScanTheShapeIsNoNoise)
+{
+  constexpr double noise = 0.02, radius = 4.0;
+  bool some = false, others = false;
+  for (const double length : {24.0, 32.0, 40.0, 200.0}) {
+    const ScanPtr scan = waveScan(length, 4.0, noise);
+    Spiral planner;
+    planner.setInputCloud(scan);
+    planner.setToolRadius(radius);
+    planner.setScallopHeight(0.2);
+    planner.setQuiet(true);
+    planner.compute();
+    ASSERT_TRUE(planner.getStatus().ok()) << planner.getStatus().message();
+    const double depth = deepestOf(*planner.getPlan().path, radius, *scan);
+    if (depth > 0.25) // ten standard deviations and more
+      EXPECT_FALSE(isClear(planner.getPlan())) << length << " " << depth;
+    if (depth < 0.08)
+      EXPECT_TRUE(isClear(planner.getPlan())) << length << " " << depth;
+    some = some || depth > 0.25;
+    others = others || depth < 0.08;
+  }
+  EXPECT_TRUE(some && others);
+}
+
 } // namespace clear_paths_test
