@@ -9,6 +9,8 @@
 #include "support/spiral_jobs.h"
 #include "support/tight_parts.h"
 
+#include <pcl_spiral/spiral/impl/stage_reports.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -533,19 +535,15 @@ TEST(ChangesThatHelp, WhereKeepOutsLeaveTooLittleASmallerBallIsTried)
   EXPECT_NE(of_none.find("none gives a path: setToolRadius 2.1; setToolRadius 1.5"), std::string::npos) << of_none;
 }
 
-TEST(ChangesThatHelp, AStripThatIsTooNarrowIsNotToBeCutIntoPieces)
+TEST(ChangesThatHelp, WhatIsTooNarrowIsNotToBeCutIntoPieces)
 {
-  const ScanPtr strip(new pcl::PointCloud<pcl::PointXYZ>);
-  for (int i = 0; i < 80; ++i)
-    for (int j = 0; j < 4; ++j)
-      strip->emplace_back(0.5F * static_cast<float>(i), 0.5F * static_cast<float>(j) + (i % 2 == 0 ? 0.1F : 0.0F), 0.0F);
-  Spiral planner;
-  prepare(strip, planner);
-  planner.compute();
-  ASSERT_FALSE(planner.getStatus().ok());
-  const std::vector<std::string> named = planner.getStatus().diagnostic().settings();
-  EXPECT_EQ(std::count(named.begin(), named.end(), "PartRegion"), 0) << planner.getStatus().message();
-  EXPECT_NE(planner.getStatus().message().find("scan more densely"), std::string::npos) << planner.getStatus().message();
+  const Status radial{StatusCode::Failed, "no lines"};
+  const auto namesPieces = [&radial](const char* scallop) {
+    const std::vector<std::string> named = neitherMethod({StatusCode::Failed, scallop}, radial).diagnostic().settings();
+    return std::find(named.begin(), named.end(), "PartRegion") != named.end();
+  };
+  EXPECT_FALSE(namesPieces("the surface is too narrow for the spacing of its points: {scan more densely}"));
+  EXPECT_TRUE(namesPieces("the {scan} is no single sheet there"));
 }
 
 TEST(ChangesThatHelp, AChangeOfACroppedInputIsTriedWithTheSurfaceBesideIt)
