@@ -15,6 +15,7 @@ namespace {
 
 constexpr float sharpest_corner = 0.25f; // of a full turn: a corner of 90 degrees
 constexpr float reentrant = 0.75f;       // the same of one of 270: where more is filled, the offset is noise
+constexpr double most_voids = 0.1;       // of the triangles: more are the pattern of the scan, lines far apart
 constexpr std::size_t few_steps = 64;    // triangles walked over for each one about a void; no result depends on it
 
 /** The work of voidJoints. */
@@ -27,14 +28,15 @@ public:
   std::vector<std::uint8_t> find()
   {
     findVoids();
-    if (leadAround())
+    const auto voids = static_cast<double>(std::count(is_void_.begin(), is_void_.end(), 1));
+    if (voids > most_voids * static_cast<double>(is_void_.size()) || leadAround())
       return {};
     findSurfaces();
     return between();
   }
 
 private:
-  /** Flags the triangles over a void: an edge is longer than the widest one by the spacing at both of its ends. */
+  /** Flags the triangles over a void: an edge is longer than the widest void that is surface, by the spacing at both ends. */
   void findVoids()
   {
     is_void_.assign(mesh_.triangleCount(), 0);
@@ -71,7 +73,7 @@ private:
     return all;
   }
 
-  /** The same of one void. */
+  /** The same of the void under these triangles. */
   bool leadsAround(const std::vector<std::uint32_t>& over_void) const
   {
     std::unordered_set<std::uint32_t> about; // not over a void, at its points
@@ -123,22 +125,42 @@ private:
     return least;
   }
 
-  /** The surfaces without the triangles over voids, of their points; loose points have none. */
+  float longestSquared(std::uint32_t t) const
+  {
+    const Triangulation::Triangle& v = mesh_.triangle(t);
+    const Eigen::Vector3f a = cloud_.blocks.point(v[0]), b = cloud_.blocks.point(v[1]), c = cloud_.blocks.point(v[2]);
+    return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  }
+
+  /** The surfaces without the triangles over voids. A point is of the one whose triangle there has the least longest edge; loose points are
+   *  of none. */
   void findSurfaces()
   {
     std::vector<std::size_t> sizes;
-    const std::vector<std::uint32_t> piece = trianglePieces(
+    std::vector<std::uint32_t> surface = trianglePieces(
         mesh_, [&](std::uint32_t t) { return !is_void_[t]; }, sizes);
-    of_point_.assign(cloud_.blocks.size(), Triangulation::none);
     is_loose_.assign(mesh_.triangleCount(), 0);
-    for (std::uint32_t h = 0; h < mesh_.halfEdgeCount(); ++h)
-      if (const std::uint32_t s = piece[h / 3]; s != Triangulation::none && sizes[s] >= least_surface)
-        of_point_[mesh_.origin(h)] = s;
-      else if (s != Triangulation::none)
-        is_loose_[h / 3] = 1;
+    for (std::uint32_t t = 0; t < surface.size(); ++t)
+      if (surface[t] != Triangulation::none && sizes[surface[t]] < least_surface) {
+        is_loose_[t] = 1;
+        surface[t] = Triangulation::none;
+      }
+    of_point_.assign(cloud_.blocks.size(), Triangulation::none);
+    forPoints(of_point_.size(), [&](std::uint32_t v) {
+      float least = 0.0f;
+      for (std::uint32_t k = mesh_.outgoingBegin(v); k < mesh_.outgoingBegin(v + 1); ++k) {
+        const std::uint32_t t = mesh_.outgoing(k) / 3;
+        const float longest = longestSquared(t);
+        if (surface[t] != Triangulation::none && (of_point_[v] == Triangulation::none || longest < least)) {
+          least = longest;
+          of_point_[v] = surface[t];
+        }
+      }
+    });
   }
 
-  /** Flags the triangles over voids that lead, alone or by others of them and loose points, to more than one surface. */
+  /** Flags the triangles over voids that lead, alone or by others of them and loose points, to more than one surface, and triangles beside
+   *  them with corners on two surfaces, which are just not long enough. */
   std::vector<std::uint8_t> between() const
   {
     std::vector<std::size_t> sizes;
@@ -156,9 +178,24 @@ private:
     }
     if (std::find(joins.begin(), joins.end(), 1) == joins.end())
       return {};
-    std::vector<std::uint8_t> removed(mesh_.triangleCount(), 0);
-    forPoints(removed.size(), [&](std::uint32_t t) { removed[t] = is_void_[t] && joins[bridge[t]]; });
+    std::vector<std::uint8_t> at_joint(of_point_.size(), 0), removed(mesh_.triangleCount(), 0);
+    for (std::uint32_t t = 0; t < removed.size(); ++t)
+      if (is_void_[t] && joins[bridge[t]]) {
+        removed[t] = 1;
+        for (const std::uint32_t v : mesh_.triangle(t))
+          at_joint[v] = 1;
+      }
+    forPoints(removed.size(), [&](std::uint32_t t) {
+      const auto& [a, b, c] = mesh_.triangle(t);
+      removed[t] |= (at_joint[a] || at_joint[b] || at_joint[c]) && (areTwo(a, b) || areTwo(b, c) || areTwo(c, a));
+    });
     return removed;
+  }
+
+  /** Whether points \p a and \p b are of two surfaces. */
+  bool areTwo(std::uint32_t a, std::uint32_t b) const
+  {
+    return of_point_[a] != of_point_[b] && of_point_[a] != Triangulation::none && of_point_[b] != Triangulation::none;
   }
 
   const TriangulatedPoints& cloud_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands beside a part, no less than six spacings away and of the same height, is no part of it: neither from its corners nor from
-// those of the part. Narrower voids and changes of density part nothing.
+// What stands beside a part, more than six spacings away and of the same height, is no part of it: neither from its corners nor from those
+// of the part. Narrower voids, changes of density and lines far apart part nothing.
 #include "support/sampling.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -71,7 +71,7 @@ partAndClamp(double gap, bool part_corner, bool clamp_corner, double jitter, std
 
 TEST(VoidJoints, WhatStandsBesideThePartIsApart)
 {
-  for (const double gap : {7.0, 8.5, 10.0}) // 7.4 to 10.5 spacings of the clamp, which are the wider ones
+  for (const double gap : {6.4, 7.0, 8.5, 10.0}) // 6.7 to 10.5 spacings of the clamp, which are the wider ones
     for (int corners = 0; corners < 4; ++corners)
       for (const double jitter : {0.1, 0.4})
         for (std::uint64_t seed = 1; seed <= 3; ++seed)
@@ -84,6 +84,21 @@ TEST(VoidJoints, ANarrowerVoidIsSurface)
   for (int corners = 0; corners < 4; ++corners)
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
       EXPECT_GT(partAndClamp(3.0, (corners & 1) != 0, (corners & 2) != 0, 0.1, seed).joining(), 0u) << corners << ' ' << seed;
+}
+
+TEST(VoidJoints, APartThatIsApartReachesNowhereOver)
+{
+  for (const double gap : {5.5, 5.8, 6.1}) // about the limit: one or two parts, but no triangles of one part over the void
+    for (int corners = 0; corners < 4; ++corners)
+      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        const Scene scene = partAndClamp(gap, (corners & 1) != 0, (corners & 2) != 0, 0.3, seed);
+        SurfaceGraph graph;
+        ASSERT_TRUE(graph.build(scene.points, SurfaceGraphOptions()).ok());
+        std::vector<std::size_t> sizes;
+        graph.triangulation().parts(sizes);
+        if (sizes.size() > 1)
+          EXPECT_EQ(scene.joining(), 0u) << gap << ' ' << corners << ' ' << seed;
+      }
 }
 
 TEST(VoidJoints, AChangeOfDensityPartsNothing)
