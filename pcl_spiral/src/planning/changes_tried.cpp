@@ -22,10 +22,10 @@
 namespace pcl_spiral {
 namespace {
 
-constexpr double all_points = 0.98;   // share of the points: a path over fewer does not cut the whole scan
-constexpr double least_points = 0.1;  // the same: a path over fewer cuts a thing on the part, or beside it, such as a clamp
-constexpr double finish_share = 0.25; // of the scallop height: no more is measurable in the finish asked for
-constexpr double deepest = 0.3;       // radii of the ball in a point: deeper is no noise, but shape that so few points do not show
+constexpr double all_points = 0.98;  // share of the points: a path over fewer does not cut the whole scan
+constexpr double least_points = 0.1; // the same: a path over fewer cuts a thing on the part, or beside it, such as a clamp
+constexpr double finish_share = 0.5; // of the scallop height: what is left of the finish that is asked for
+constexpr double deepest = 0.3;      // radii of the ball in a point: deeper is no noise, but shape that so few points do not show
 
 /** Whether turns were made. */
 bool
