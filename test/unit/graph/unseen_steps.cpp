@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A step whose side was not scanned parts the surface; a steep surface, a scanned side and the floor of a pocket do not.
+#include "support/joining_triangles.h"
 #include "support/sampling.h"
 #include "support/surfaces.h"
 
@@ -65,21 +66,6 @@ graphOf(const std::vector<Vector3d>& points, const Eigen::Isometry3d& motion = E
   return graph;
 }
 
-/** Triangles with corners on both surfaces. */
-std::size_t
-joining(const SurfaceGraph& graph, const std::vector<std::uint8_t>& on_dome)
-{
-  const Triangulation& mesh = graph.triangulation();
-  std::size_t count = 0;
-  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-    int corners = 0;
-    for (const std::uint32_t v : mesh.triangle(t))
-      corners += on_dome[graph.blocks().originalIndex(v)];
-    count += corners == 1 || corners == 2;
-  }
-  return count;
-}
-
 double
 areaOf(const SurfaceGraph& graph)
 {
@@ -116,7 +102,7 @@ TEST(UnseenSteps, APartOnATableIsApartFromIt)
         const Scene scene(spacings * spacing, spacing, rows, ++seed);
         const SurfaceGraph graph = graphOf(scene.points, test::randomMotion(seed, 100.0));
         EXPECT_EQ(largeParts(graph), 2U);
-        EXPECT_LT(joining(graph, scene.on_dome), 5U) << "of a rim of " << 2.0 * pi * rim / spacing << " points";
+        EXPECT_LT(test::joiningTriangles(graph, scene.on_dome), 5U) << "of a rim of " << 2.0 * pi * rim / spacing << " points";
         EXPECT_NEAR(areaOf(graph), whole, 2.5 * spacing * 2.0 * pi * rim) << "only triangles at the rim are gone";
       }
 }
@@ -139,7 +125,7 @@ TEST(UnseenSteps, AWallAcrossWithWavesAndCornersParts)
           }
         const SurfaceGraph graph = graphOf(points, test::randomMotion(seed, 100.0));
         EXPECT_EQ(largeParts(graph), 2U);
-        EXPECT_LE(joining(graph, on_top), corners ? 10U : 0U) << "of a wall of " << (corners ? 134 : 75) << " points";
+        EXPECT_LE(test::joiningTriangles(graph, on_top), corners ? 10U : 0U) << "of a wall of " << (corners ? 134 : 75) << " points";
       }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What stands beside a part, more than six spacings away and of the same height, is no part of it: neither from its corners nor from those
 // of the part. Narrower voids, changes of density and lines far apart part nothing.
+#include "support/joining_triangles.h"
 #include "support/sampling.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -35,21 +36,13 @@ struct Scene {
       }
   }
 
-  /** Triangles with corners on both. */
-  std::size_t joining() const
+  SurfaceGraph graph() const
   {
-    SurfaceGraph graph;
-    EXPECT_TRUE(graph.build(points, SurfaceGraphOptions()).ok());
-    const Triangulation& mesh = graph.triangulation();
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-      int corners = 0;
-      for (const std::uint32_t v : mesh.triangle(t))
-        corners += of_second[graph.blocks().originalIndex(v)];
-      count += corners == 1 || corners == 2;
-    }
-    return count;
+    SurfaceGraph made;
+    EXPECT_TRUE(made.build(points, SurfaceGraphOptions()).ok());
+    return made;
   }
+  std::size_t joining() const { return test::joiningTriangles(graph(), of_second); }
 };
 
 constexpr double part_spacing = 0.7, clamp_spacing = 0.95, part_half = 21.0, clamp_half = 7.6; // mm
@@ -92,12 +85,11 @@ TEST(VoidJoints, APartThatIsApartReachesNowhereOver)
     for (int corners = 0; corners < 4; ++corners)
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const Scene scene = partAndClamp(gap, (corners & 1) != 0, (corners & 2) != 0, 0.3, seed);
-        SurfaceGraph graph;
-        ASSERT_TRUE(graph.build(scene.points, SurfaceGraphOptions()).ok());
+        const SurfaceGraph graph = scene.graph();
         std::vector<std::size_t> sizes;
         graph.triangulation().parts(sizes);
         if (sizes.size() > 1)
-          EXPECT_EQ(scene.joining(), 0u) << gap << ' ' << corners << ' ' << seed;
+          EXPECT_EQ(test::joiningTriangles(graph, scene.of_second), 0u) << gap << ' ' << corners << ' ' << seed;
       }
 }
 
