@@ -12,9 +12,9 @@ fault() { # WHAT LINES: reports the lines found, if any, as a paragraph
   printf '%s:\n%s\n\n' "$1" "$2" >&2
 }
 
-# Heights of the rooms: a room includes only rooms of its own height and below. toolpath: former places of headers.
-declare -A level=([core]=0 [common]=1 [search]=1 [graph]=2 [cleaning]=3 [features]=3 [surface]=3 [collision]=4 [geodesic]=4 [mesh]=4
-  [spiral]=5 [ridge]=5 [drive]=6 [cutter]=7 [verify]=8 [machine]=8 [planning]=9 [io]=10 [visualization]=10 [toolpath]=11)
+# Heights of the rooms: a room includes only itself and rooms below. toolpath: former places of headers.
+declare -A level=([core]=0 [common]=1 [search]=2 [graph]=3 [fit]=4 [cleaning]=5 [surface]=6 [features]=7 [collision]=8 [geodesic]=8
+  [mesh]=8 [spiral]=9 [ridge]=9 [drive]=10 [cutter]=11 [machine]=12 [verify]=13 [planning]=14 [io]=15 [visualization]=16 [toolpath]=16)
 
 library=pcl_spiral
 [ -d "$library" ] || { echo "no folder $library in $PWD: give the source directory" >&2; exit 2; }
@@ -30,7 +30,8 @@ while IFS=: read -r file line text; do # from a string: of a pipe read takes one
   room=${file#"$library"/src/} room=${room#"$library"/include/pcl_spiral/} room=${room%%/*}
   [[ $text =~ [\<\"](pcl_spiral/)?([a-z_]+)/ ]] || continue
   included=${BASH_REMATCH[2]}
-  [ "${level[$included]:-99}" -le "${level[$room]:-99}" ] || fault "$room includes $included, which stands above it" "$file:$line:$text"
+  [ "$included" = "$room" ] || [ "${level[$included]:-99}" -lt "${level[$room]:-99}" ] ||
+    fault "$room includes $included, which does not stand below it" "$file:$line:$text"
 done <<<"$(grep -rnE '#[[:space:]]*include[[:space:]]*([<"]pcl_spiral/|")[a-z_]+/' "$library"/include/pcl_spiral/*/ "$library"/src/*/ || true)"
 
 # Two classes of one name in two headers are one class to the linker, which then calls the functions of the other.
@@ -76,6 +77,8 @@ while read -r header; do
   [ "$(grep -cvE '^(//|/\*\*| \*|#pragma once|$)' "$library/include/pcl_spiral/$header")" = 1 ] ||
     fault "forwarding header with more than one include" "$library/include/pcl_spiral/$header"
 done <cmake/forwarding_headers.txt
+
+fault "results are named Report" "$(grep -rnE '^(struct|class) [A-Za-z]+(Figures|Counts)\b' $library/include $library/src || true)"
 
 fault "newer PCL base classes have members of these names; choose others" \
   "$(grep -rnE '(^|[^.])\b(threads_|chunk_size_)\b' $library/include $library/src --include='*.h' --include='*.hpp' --include='*.cpp' || true)"

@@ -29,7 +29,7 @@ try {
   if (!closing.getStatus().ok())
     return 1;
   pcl::io::savePCDFileBinary(argv[3], closed);
-  std::cout << closing.getFigures().covered << " of " << closing.getFigures().points << " points are out of reach of the ball\n";
+  std::cout << closing.getReport().covered << " of " << closing.getReport().points << " points are out of reach of the ball\n";
 
   pcl_spiral::SpiralPlanner<pcl::PointXYZ> planner; // closes the scan itself
   planner.setInputCloud(scan.cloud);

@@ -21,7 +21,7 @@ locate(const char* name, const pcl_spiral::CutterShape& cutter, pcl_spiral::Cutt
   location.compute(locations);
   if (!location.getStatus().ok())
     return; // the class has reported the error
-  const pcl_spiral::LocationFigures& f = location.getFigures();
+  const pcl_spiral::LocationReport& f = location.getReport();
   std::printf("%s: %zu of %zu contacts reached, %zu lifted by up to %.3f mm; %.3f mm sinking between points prevented\n", name,
               f.count(pcl_spiral::LocationState::Reached), locations.size(), f.count(pcl_spiral::LocationState::Lifted), f.largest_lift,
               f.largest_gap);

@@ -36,7 +36,7 @@ main(int argc, char** argv)
   if (!estimation.getStatus().ok())
     return 1; // the class has reported the error
 
-  const pcl_spiral::DeviationFigures& f = estimation.getFigures();
+  const pcl_spiral::DeviationReport& f = estimation.getReport();
   for (const pcl_spiral::Diagnostic& warning : f.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
   std::printf("deviation: rms %.4f mm, p99 %.4f mm, greatest %.4f mm at point %zu\n", f.rms, f.p99, f.max.value, f.max.index);

@@ -31,7 +31,7 @@ machine(const char* name, DrivePath<pcl::PointXYZ>& drive, const Cloud::Ptr& clo
   location.compute(locations);
   const DriveReport& r = drive.getReport();
   std::printf("%s: %zu passes %.3f mm apart, %zu points over %.1f m, of which %zu touch\n", name, passes.size(), r.step_over, r.points,
-              0.001 * r.length, location.getFigures().count(LocationState::Touching));
+              0.001 * r.length, location.getReport().count(LocationState::Touching));
   if (r.column && !passes.empty())
     std::printf("  the column's axis runs along (%.4f, %.4f, %.4f), its mean radius is %.3f mm\n", r.column->cylinder.direction.x(),
                 r.column->cylinder.direction.y(), r.column->cylinder.direction.z(), r.column->radius);

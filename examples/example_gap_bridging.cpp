@@ -39,7 +39,7 @@ main()
   for (std::size_t i = 0; i < surface->size(); ++i)
     if (surface->isGuessed(i))
       error = std::max(error, std::abs(surface->position(i).norm() - radius));
-  std::printf("%zu of %zu points are guesses, at most %.5f mm off the sphere\n", surface->counts().guessed, surface->size(), error);
+  std::printf("%zu of %zu points are guesses, at most %.5f mm off the sphere\n", surface->report().guessed, surface->size(), error);
 
   bridging.setGapHandling(pcl_spiral::GapHandling::Refuse);
   bridging.setQuiet(true);

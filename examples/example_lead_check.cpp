@@ -45,10 +45,10 @@ main()
   check.setLargestEcho(3); // larger groups of outliers are not echoes
   check.setInputCloud(scan);
   check.compute(program);
-  const auto print = [](const char* name, const LeadFigures& f) {
+  const auto print = [](const char* name, const LeadReport& f) {
     std::printf("%s: %zu of %zu moves off the path touch, by %.2f mm at most\n", name, f.collided, f.moves, f.deepest.depth);
   };
-  print("all points", check.getFigures());
-  print("without echoes", check.getObstacleFigures());
+  print("all points", check.getReport());
+  print("without echoes", check.getObstacleReport());
   return check.getStatus().ok() ? 0 : 1;
 }

@@ -39,7 +39,7 @@ main(int argc, char** argv)
   if (!removal.getStatus().ok())
     return 1; // the class has reported the error
 
-  const pcl_spiral::RemovalFigures& f = removal.getFigures();
+  const pcl_spiral::RemovalReport& f = removal.getReport();
   for (const pcl_spiral::Diagnostic& warning : f.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.text().c_str());
   std::printf("scallop: p50 %.4f, p99 %.4f, p99.9 %.4f, greatest %.4f mm; above %.4f mm: %.2f %%\n", f.scallop.p50, f.scallop.p99,

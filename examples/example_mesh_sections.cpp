@@ -40,7 +40,7 @@ try {
   location.compute(locations);
   if (!location.getStatus().ok())
     return std::fprintf(stderr, "%s\n", location.getStatus().message().c_str()), 1;
-  std::printf("%zu locations, %zu of them lifted\n", locations.size(), location.getFigures().count(pcl_spiral::LocationState::Lifted));
+  std::printf("%zu locations, %zu of them lifted\n", locations.size(), location.getReport().count(pcl_spiral::LocationState::Lifted));
   return 0;
 }
 catch (const std::exception& error) {

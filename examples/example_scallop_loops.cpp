@@ -51,7 +51,7 @@ main()
   SpiralTurns turns; // points for linear moves
   samplePath(path, *surface, settings, turns);
   SpiralPath toolpath; // contacts and normals; next come setToolAxes and checkPath
-  GapFigures gaps;
+  GapReport gaps;
   putOnSurface(turns, *surface, settings, {}, toolpath, gaps);
   std::printf("%zu closed passes, or one path of %zu points\n", passes.size(), toolpath.contacts.size());
   return toolpath.contacts.empty() ? 1 : 0;

@@ -33,7 +33,7 @@ main()
   if (!surface)
     return 1; // the class has reported the error; scanned.getStatus() has it too
 
-  const pcl_spiral::SurfaceCounts& counts = surface->counts();
+  const pcl_spiral::SurfaceReport& counts = surface->report();
   std::printf("%zu points: %zu not finite, %zu repeated, %zu isolated, %zu in clusters, %zu surplus, %zu used\n", counts.input,
               counts.nonfinite, counts.duplicate, counts.isolated, counts.clustered, counts.surplus, counts.used);
   for (const Eigen::Vector3f& place : surface->leftOut().positions)

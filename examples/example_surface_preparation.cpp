@@ -35,7 +35,7 @@ main()
   if (!preparation.getStatus().ok())
     return 1;
 
-  const pcl_spiral::SurfaceCounts& counts = preparation.getCounts();
+  const pcl_spiral::SurfaceReport& counts = preparation.getReport();
   std::printf("%zu points: %zu not finite, %zu repeated, %zu outliers, %zu thinned, %zu used; spacing %.3f mm\n", counts.input,
               counts.nonfinite, counts.duplicate, counts.outlier, counts.thinned, counts.used, preparation.getSurface()->spacing());
   for (std::size_t i = 0; i < cloud.size(); i += cloud.size() / 5)

@@ -29,7 +29,7 @@ void
 judgePath(const Job& job, const Run& run, const test::CheckedPath& path, int threads, Table& table)
 {
   const double step = test::exactStepOver(job.tool_radius, job.scallop_height, 0.0);
-  const test::PathFigures f = test::checkPath(*job.surface, path, 10.0 * step, threads);
+  const test::ToolpathReport f = test::checkPath(*job.surface, path, 10.0 * step, threads);
   if (job.deviation_rms > 0.0)
     table.atMost("deviation rms", f.deviation_rms, job.deviation_rms);
   else
@@ -73,7 +73,7 @@ judgeMaterial(const Job& job, const test::CheckedPath& path, const Options& opti
   settings.samples = job.samples;
   settings.seed = options.seed + 77;
   settings.threads = options.threads;
-  const test::RemovalFigures f = test::removedMaterial(*job.surface, path, settings);
+  const test::RemovalReport f = test::removedMaterial(*job.surface, path, settings);
   const double h = job.scallop_height, e = job.chord_error;
   table.note("band left out at the rim", f.band);
   table.note("stock p50 / p99 at the samples", std::to_string(f.stock.p50) + " / " + std::to_string(f.stock.p99));

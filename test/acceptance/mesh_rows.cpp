@@ -55,7 +55,7 @@ judgeMeshRows(const Options& options)
       settings.scallop_height = height;
       settings.seed = options.seed;
       settings.threads = options.threads;
-      const RemovalFigures figures = removedMaterial(*surface, pathOf(passes), settings);
+      const RemovalReport figures = removedMaterial(*surface, pathOf(passes), settings);
       const SectionReport& report = sections.getReport();
       const bool kept = rows == DriveRows::Kept;
       const std::string name = std::string(kept ? "kept" : "even") + (normal.x() == 0.0   ? ", along x"

@@ -52,7 +52,7 @@ private:
 };
 
 void
-addFaults(const test::JudgedFigures& f, Cells& cells)
+addFaults(const test::JudgedReport& f, Cells& cells)
 {
   const auto first = [](const std::vector<test::Place>& places) {
     return places.empty() ? "" : "; first " + printed("%.4f mm", places.front().value) + placeText(places.front());
@@ -82,7 +82,7 @@ outlineHeading()
 }
 
 OutlineLine
-outlineLine(const OutlineRow& row, const test::JudgedFigures& f, const test::JudgeSettings& settings)
+outlineLine(const OutlineRow& row, const test::JudgedReport& f, const test::JudgeSettings& settings)
 {
   OutlineLine out;
   out.line = printed("%-16s %5.1f |", row.name.c_str(), f.turns);
@@ -95,7 +95,7 @@ outlineLine(const OutlineRow& row, const test::JudgedFigures& f, const test::Jud
   cells.atMost("% above 1.05 h", 100.0 * f.inside.over_share, 100.0 * row.over, 3, "");
   cells.atLeast("radius", f.turning.smallest.value, row.radius, 3, placeText(f.turning.smallest));
   addFaults(f, cells);
-  const test::HeightFigures &in = f.inside, &all = f.whole;
+  const test::HeightReport &in = f.inside, &all = f.whole;
   cells.note(printed(" %5.3f %6.3f %6.3f %6.3f |", in.p99.value, 100.0 * in.uncut_share, in.gouge.value, f.turning.least.value));
   cells.note(printed(" %4zu %5.2f |", f.reversals.count, 100.0 * f.reversals.share));
   cells.note(printed(" %5.3f %5.2f %6.3f %6.3f %6.3f | %6.2f %.0f", all.p999.value, all.max.value, 100.0 * all.over_share,

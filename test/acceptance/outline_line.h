@@ -21,6 +21,6 @@ struct OutlineLine {
   std::string broken; ///< broken limits, by how much and where; empty if every limit holds
   std::string places; ///< of every figure, held or not
 };
-OutlineLine outlineLine(const OutlineRow& row, const test::JudgedFigures& figures, const test::JudgeSettings& settings);
+OutlineLine outlineLine(const OutlineRow& row, const test::JudgedReport& figures, const test::JudgeSettings& settings);
 
 } // namespace pcl_spiral::acceptance

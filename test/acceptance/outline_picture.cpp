@@ -81,7 +81,7 @@ writePath(const std::string& file, const test::CheckedPath& path)
 }
 
 bool
-writePicture(const std::string& file, const test::AnalyticSurface& part, const test::CheckedPath& path, const test::JudgedFigures& figures,
+writePicture(const std::string& file, const test::AnalyticSurface& part, const test::CheckedPath& path, const test::JudgedReport& figures,
              double h, int longest)
 {
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(figures.pitch);

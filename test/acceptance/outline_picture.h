@@ -16,6 +16,6 @@ bool writePath(const std::string& file, const test::CheckedPath& path);
 /** From above as PNG, \p longest pixels along the longer side: the path thin and grey, samples above 1.05 h
  * red, uncut ones dark red, crossings and jumps with magenta circles, the rims blue, start green, end black. */
 bool writePicture(const std::string& file, const test::AnalyticSurface& part, const test::CheckedPath& path,
-                  const test::JudgedFigures& figures, double h, int longest = 1600);
+                  const test::JudgedReport& figures, double h, int longest = 1600);
 
 } // namespace pcl_spiral::acceptance

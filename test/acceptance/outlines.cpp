@@ -77,7 +77,7 @@ printPlaces(const OutlineRow& row, const SpiralReport& report, const OutlineLine
 /** Writes path and picture of a row; returns the reason if they cannot be written. */
 std::string
 drawn(const OutlineRow& row, const Options& options, const OutlineCloud& cloud, const test::CheckedPath& path,
-      const test::JudgedFigures& figures)
+      const test::JudgedReport& figures)
 {
   if (options.picture.empty())
     return "";
@@ -129,7 +129,7 @@ outcomeOf(const OutlineRow& row, const Options& options)
     return {name + std::string(" no path"), "    " + made.status.message() + "\n"};
   const test::CheckedPath path = test::fromToolpath(made.path);
   const auto from = std::chrono::steady_clock::now();
-  const test::JudgedFigures figures = test::judgedPath(*cloud.part, curves(made.report), path, settings);
+  const test::JudgedReport figures = test::judgedPath(*cloud.part, curves(made.report), path, settings);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - from;
   const OutlineLine line = outlineLine(row, figures, settings);
   char end[120];

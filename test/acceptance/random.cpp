@@ -105,8 +105,8 @@ checkAgainstSurface(const RandomCase& made, const Path& path, const SpiralReport
 {
   const SpiralSettings& s = made.settings;
   const test::CheckedPath back = movedBack(made, path);
-  const test::PathFigures f = test::checkPath(*made.surface, back, made.spacing, 1);
-  const test::PathFigures known = test::checkPath(*made.surface, offGaps(path, back), made.spacing, 1);
+  const test::ToolpathReport f = test::checkPath(*made.surface, back, made.spacing, 1);
+  const test::ToolpathReport known = test::checkPath(*made.surface, offGaps(path, back), made.spacing, 1);
   const double rounding = 1e-6 * made.cloud->size() + 1e-5 * made.surface->region().upper().norm();
   const double sag = made.spacing * made.spacing * made.bend;
   faults.atMost("step", f.gap.value, report.largest_allowed_step * 1.001 + rounding);
@@ -122,7 +122,7 @@ checkAgainstSurface(const RandomCase& made, const Path& path, const SpiralReport
   settings.scallop_height = s.scallop_height;
   settings.samples = 1500;
   settings.threads = 1;
-  const test::RemovalFigures left = test::removedMaterial(*made.surface, back, settings);
+  const test::RemovalReport left = test::removedMaterial(*made.surface, back, settings);
   faults.atMost("gouge", left.gouge.value, 1.2 * s.chord_error + sag + rounding);
   if (report.corner_ridge == s.tool_radius) // left uncut, as foretold
     return;
@@ -154,7 +154,7 @@ checkByScan(const RandomCase& made, const Path::ConstPtr& path, const SpiralRepo
     faults.atMost(("not judged: " + deviation.getStatus().message()).c_str(), 1.0, 0.0);
     return;
   }
-  const DeviationFigures& d = deviation.getFigures();
+  const DeviationReport& d = deviation.getReport();
   const double known = 3.0 * d.fit_noise + made.spacing * made.spacing * made.bend;
   faults.atMost("opposed normals", static_cast<double>(d.opposed), 0.0);
   faults.atMost("inward axes", static_cast<double>(d.inward_axes), 0.0);
@@ -168,7 +168,7 @@ checkByScan(const RandomCase& made, const Path::ConstPtr& path, const SpiralRepo
     faults.atMost(("not judged: " + removal.getStatus().message()).c_str(), 1.0, 0.0);
     return;
   }
-  const RemovalFigures& r = removal.getFigures();
+  const RemovalReport& r = removal.getReport();
   if (report.corner_ridge == s.tool_radius) // left uncut, as foretold
     return;
   faults.atMost("judged uncut share", r.scallop.uncutShare(), 0.0);

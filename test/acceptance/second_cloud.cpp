@@ -45,7 +45,7 @@ judgeBySecondCloud(const Job& job, const Options& options)
   table.note("time", result.seconds, "s");
   table.note("path points", static_cast<double>(result.path.size()), "");
   table.note("path length", 1e-6 * result.report.path_length, "km");
-  const test::PathFigures exact = test::checkPath(*job.surface, test::fromToolpath(result.path), 1.0, options.threads);
+  const test::ToolpathReport exact = test::checkPath(*job.surface, test::fromToolpath(result.path), 1.0, options.threads);
   table.note("deviation rms, by formula", exact.deviation_rms);
   table.atMost("deviation max, by formula", exact.deviation, job.deviation_max);
 
@@ -67,8 +67,8 @@ judgeBySecondCloud(const Job& job, const Options& options)
   if (!deviation.getStatus().ok() || !removal.getStatus().ok())
     return table.broken();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
-  const DeviationFigures& d = deviation.getFigures();
-  const RemovalFigures& r = removal.getFigures();
+  const DeviationReport& d = deviation.getReport();
+  const RemovalReport& r = removal.getReport();
   const std::size_t samples = r.stock.samples + r.rim.samples;
   table.atMost("deviation max, by the second cloud", std::abs(d.max.value), job.deviation_max);
   table.note("beyond the outermost points", std::abs(d.rim_max.value));

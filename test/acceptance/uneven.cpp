@@ -126,7 +126,7 @@ addOutliers(const test::AnalyticSurface& surface, double share, double near, std
 
 struct UnevenRun {
   Run run;
-  test::PathFigures figures;
+  test::ToolpathReport figures;
 };
 
 UnevenRun

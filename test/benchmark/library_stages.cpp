@@ -205,7 +205,7 @@ cutterLocation(State& state, StageInput& input, int threads)
   }
   count(state, places, places * sizeof(ToolLocation));
   state.counters["on_surface"] =
-      static_cast<double>(location.getFigures().count(LocationBasis::FittedSurface)) / static_cast<double>(places);
+      static_cast<double>(location.getReport().count(LocationBasis::FittedSurface)) / static_cast<double>(places);
 }
 
 void

@@ -103,7 +103,7 @@ protected:
                 {"--corner-radius", "1", "--flank-length", "16", "--axis", axis, "--tolerance", std::to_string(chord)});
   }
 
-  static CutFigures cutBy(const std::string& text, const std::string& part, const ControlledMachine& machine, const RoundedCutter& cutter)
+  static CutReport cutBy(const std::string& text, const std::string& part, const ControlledMachine& machine, const RoundedCutter& cutter)
   {
     constexpr double ray = 0.15, step = 0.1, band = 0.35; // the points of the scans are 0.33 mm apart
     CutRays rays(*surfaces_.at(part), ray, deepest, reach);
@@ -118,7 +118,7 @@ protected:
 
 /** What is not as planned; empty if nothing. */
 std::string
-faultOf(const CutFigures& f)
+faultOf(const CutReport& f)
 {
   std::printf("  %zu rays: cut %.4f mm too deep, up to %.4f mm left on 98 %%, %.4f mm at most\n", f.rays, f.gouge, f.high, f.most);
   return f.gouge > chord + block          ? "cut too deep"

@@ -88,7 +88,7 @@ protected:
 };
 
 /** Heights that a ball of radius 6 leaves, judged on points of the exact ridge. */
-pcl_spiral::RemovalFigures
+pcl_spiral::RemovalReport
 judged(const std::string& path_file)
 {
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
@@ -103,13 +103,13 @@ judged(const std::string& path_file)
   pcl::PointCloud<pcl::PointXYZI> stock;
   removal.compute(stock);
   EXPECT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
-  return removal.getFigures();
+  return removal.getReport();
 }
 
 constexpr double chord_error = 0.005, scallop = 0.02;
 
 void
-expectWithin(const pcl_spiral::RemovalFigures& figures)
+expectWithin(const pcl_spiral::RemovalReport& figures)
 {
   EXPECT_LE(figures.scallop.p999, 1.02 * scallop + chord_error);
   EXPECT_GE(figures.scallop.p50, 0.8 * scallop); // and the rows are not much closer than needed

@@ -73,10 +73,10 @@ CutRays::cutRay(const RoundedCutter& cutter, const TipAndAxis& place, Ray& ray) 
   ray.stock = std::min(ray.stock, h);
 }
 
-CutFigures
+CutReport
 CutRays::figures(double band) const
 {
-  CutFigures f;
+  CutReport f;
   std::vector<double> stock;
   for (const std::vector<Ray>& rays : cells_)
     for (const Ray& ray : rays) {

@@ -22,7 +22,7 @@ struct RoundedCutter {
 };
 
 /** What is left over the rays that are farther than a band from the outline. */
-struct CutFigures {
+struct CutReport {
   std::size_t rays = 0;
   double gouge = 0.0; ///< deepest cut below the surface, of all rays, those of the band too
   double most = 0.0;  ///< highest stock, as far as the rays reach
@@ -38,7 +38,7 @@ public:
   /** Takes away what the tool fills at a place. */
   void cut(const RoundedCutter& cutter, const TipAndAxis& place);
 
-  CutFigures figures(double band) const;
+  CutReport figures(double band) const;
 
 private:
   struct Ray {

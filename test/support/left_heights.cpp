@@ -74,11 +74,11 @@ heightsLeft(const AnalyticSurface& surface, const CheckedPath& path, const Swept
   return samples;
 }
 
-HeightFigures
+HeightReport
 heightFigures(const std::vector<StockSample>& samples, const CheckedPath& path, const JudgedArea& area, double h,
               const std::function<bool(std::size_t)>& counts)
 {
-  HeightFigures f;
+  HeightReport f;
   std::vector<std::size_t> picked;
   std::size_t over = 0, uncut = 0;
   const auto place = [&](std::size_t i) {

@@ -28,7 +28,7 @@ std::vector<StockSample> heightsLeft(const AnalyticSurface& surface, const Check
                                      std::uint64_t seed);
 
 /** Figures of heights, as multiples of h; so is the value of a place. */
-struct HeightFigures {
+struct HeightReport {
   std::size_t samples = 0;
   Place p99, p999, max;    ///< each with a sample of that height; uncut counts as 20
   double over_share = 0.0; ///< above 1.05
@@ -38,7 +38,7 @@ struct HeightFigures {
 };
 
 /** Figures of the samples that \p counts selects by position; \p area gives the distance to the rim. */
-HeightFigures heightFigures(const std::vector<StockSample>& samples, const CheckedPath& path, const JudgedArea& area, double h,
-                            const std::function<bool(std::size_t)>& counts);
+HeightReport heightFigures(const std::vector<StockSample>& samples, const CheckedPath& path, const JudgedArea& area, double h,
+                           const std::function<bool(std::size_t)>& counts);
 
 } // namespace pcl_spiral::test

@@ -49,7 +49,7 @@ drivePoints(const AnalyticSurface& surface, std::size_t count, double lean, doub
 /** The result of compute. */
 struct Located {
   ToolLocations locations;
-  LocationFigures figures;
+  LocationReport figures;
   Status status;
 };
 
@@ -65,7 +65,7 @@ located(const Cloud::ConstPtr& cloud, const CutterShape& cutter, const DrivePoin
   location.setNumberOfThreads(threads);
   Located run;
   location.compute(run.locations);
-  run.figures = location.getFigures();
+  run.figures = location.getReport();
   run.status = location.getStatus();
   EXPECT_TRUE(run.status.ok()) << run.status.message();
   return run;

@@ -26,7 +26,7 @@ onMesh(const Mesh& mesh, const CutterShape& cutter, const DrivePoints& drive, co
   change(location);
   Located run;
   location.compute(run.locations);
-  run.figures = location.getFigures();
+  run.figures = location.getReport();
   run.status = location.getStatus();
   EXPECT_TRUE(run.status.ok()) << run.status.message();
   return run;

@@ -37,7 +37,7 @@ largest(const std::vector<double>& values)
 }
 
 void
-measureDeviation(const AnalyticSurface& surface, const CheckedPath& path, int threads, PathFigures& f)
+measureDeviation(const AnalyticSurface& surface, const CheckedPath& path, int threads, ToolpathReport& f)
 {
   const auto n = static_cast<std::ptrdiff_t>(path.size());
   std::vector<double> distance(path.size()), normal(path.size()), beyond(path.size(), 0.0);
@@ -63,7 +63,7 @@ measureDeviation(const AnalyticSurface& surface, const CheckedPath& path, int th
 }
 
 void
-measureMoves(const AnalyticSurface& surface, const CheckedPath& path, double clear, PathFigures& f)
+measureMoves(const AnalyticSurface& surface, const CheckedPath& path, double clear, ToolpathReport& f)
 {
   std::vector<double> s(path.size(), 0.0);
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -88,7 +88,7 @@ measureMoves(const AnalyticSurface& surface, const CheckedPath& path, double cle
 }
 
 void
-measureRim(const AnalyticSurface& surface, const CheckedPath& path, PathFigures& f)
+measureRim(const AnalyticSurface& surface, const CheckedPath& path, ToolpathReport& f)
 {
   const MoveTree tree(path.contacts);
   for (const Polyline& loop : surface.outlines())
@@ -143,10 +143,10 @@ crossings(const AnalyticSurface& surface, const CheckedPath& path, double tolera
   return found;
 }
 
-PathFigures
+ToolpathReport
 checkPath(const AnalyticSurface& surface, const CheckedPath& path, double clear, int threads)
 {
-  PathFigures f;
+  ToolpathReport f;
   if (path.size() < 2)
     return f;
   const int count = threads > 0 ? threads : omp_get_max_threads();

@@ -13,7 +13,7 @@
 
 namespace pcl_spiral::test {
 
-struct PathFigures {
+struct ToolpathReport {
   double length = 0.0;
   double deviation_rms = 0.0, deviation_p99 = 0.0; ///< of |signed distance of the contact to the surface|
   Place deviation;                                 ///< largest; value keeps its sign
@@ -28,7 +28,7 @@ struct PathFigures {
 
 /** \p clear: turning is not measured within this distance from both ends of the path and from the outline.
  */
-PathFigures checkPath(const AnalyticSurface& surface, const CheckedPath& path, double clear, int threads = 0);
+ToolpathReport checkPath(const AnalyticSurface& surface, const CheckedPath& path, double clear, int threads = 0);
 
 /** Crossings of the path with itself, in the chart of the surface, deeper than \p tolerance. */
 std::vector<Place> crossings(const AnalyticSurface& surface, const CheckedPath& path, double tolerance = 0.01, int threads = 0);

@@ -24,7 +24,7 @@ isOver(const Region& gap, const AnalyticSurface& surface, const std::vector<Stoc
 
 /** The true outlines, and the outline of the gap if the path leaves it out. */
 std::vector<Polyline>
-trueRims(const AnalyticSurface& surface, const JudgeSettings& settings, JudgedFigures& f)
+trueRims(const AnalyticSurface& surface, const JudgeSettings& settings, JudgedReport& f)
 {
   std::vector<Polyline> rims = surface.outlines();
   f.over_gap = !settings.gap.empty() && isOver(Region({settings.gap}), surface, f.samples, 2.0 * settings.scallop_height);
@@ -37,7 +37,7 @@ trueRims(const AnalyticSurface& surface, const JudgeSettings& settings, JudgedFi
 }
 
 void
-judgeHeights(const JudgedArea& area, const JudgedArea& whole, const CheckedPath& path, const JudgeSettings& s, JudgedFigures& f)
+judgeHeights(const JudgedArea& area, const JudgedArea& whole, const CheckedPath& path, const JudgeSettings& s, JudgedReport& f)
 {
   const std::vector<StockSample>& samples = f.samples;
   double deepest = 0.0;
@@ -51,7 +51,7 @@ judgeHeights(const JudgedArea& area, const JudgedArea& whole, const CheckedPath&
 }
 
 void
-judgeOutside(const AnalyticSurface& surface, const JudgedArea& whole, const CheckedPath& path, JudgedFigures& f)
+judgeOutside(const AnalyticSurface& surface, const JudgedArea& whole, const CheckedPath& path, JudgedReport& f)
 {
   const Points points = atEqualSteps(path.contacts, 0.5 * f.pitch);
   std::size_t outside = 0;
@@ -67,7 +67,7 @@ judgeOutside(const AnalyticSurface& surface, const JudgedArea& whole, const Chec
 
 void
 judgeMotion(const AnalyticSurface& surface, const JudgedArea& area, const CheckedPath& path, const JudgeSettings& s, double longest,
-            JudgedFigures& f)
+            JudgedReport& f)
 {
   f.length = lineLength(path.contacts);
   for (const std::size_t i : path.lifted_to)
@@ -85,10 +85,10 @@ judgeMotion(const AnalyticSurface& surface, const JudgedArea& area, const Checke
 
 } // namespace
 
-JudgedFigures
+JudgedReport
 judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, const CheckedPath& path, const JudgeSettings& settings)
 {
-  JudgedFigures f;
+  JudgedReport f;
   f.pitch = exactStepOver(settings.tool_radius, settings.scallop_height, 0.0);
   if (path.size() < 2)
     return f;

@@ -30,19 +30,19 @@ struct JudgeSettings {
 };
 
 /** The figures of a path. Heights in h, lengths in mm, radii in pitches. */
-struct JudgedFigures {
+struct JudgedReport {
   double pitch = 0.0;                                 ///< exact step-over on the plane
   double turns = 0.0;                                 ///< largest distance from the rims in pitches
   std::size_t rims_missed = 0;                        ///< outlines that no loop follows: the true one counts
   bool over_gap = false;                              ///< the gap is machined like the rest; otherwise its loop counts as a rim
-  HeightFigures inside;                               ///< within the fitted rims by the margin
-  HeightFigures whole;                                ///< over the whole true surface
+  HeightReport inside;                                ///< within the fitted rims by the margin
+  HeightReport whole;                                 ///< over the whole true surface
   double length = 0.0, least = 0.0, least_true = 0.0; ///< least within the fitted rims; within the true ones
   double outside_share = 0.0;                         ///< of the length, over half a pitch beyond the true rims
   Place outside;                                      ///< farthest; value: mm beyond
   double seconds = 0.0;
-  TurningFigures turning;
-  ReversalFigures reversals;
+  TurningReport turning;
+  ReversalReport reversals;
   std::vector<Place> crossings, jumps;
   std::vector<StockSample> samples; ///< for a picture
 
@@ -54,7 +54,7 @@ struct JudgedFigures {
 };
 
 /** Judges \p path over \p surface; \p loops: the boundaries that the planner found, in any order. */
-JudgedFigures judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, const CheckedPath& path,
-                         const JudgeSettings& settings);
+JudgedReport judgedPath(const AnalyticSurface& surface, const std::vector<Polyline>& loops, const CheckedPath& path,
+                        const JudgeSettings& settings);
 
 } // namespace pcl_spiral::test

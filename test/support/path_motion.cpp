@@ -52,10 +52,10 @@ circleRadius(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
   return (b - a).dot(c - b) < 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-TurningFigures
+TurningReport
 turningRadii(const Points& line, double pitch)
 {
-  TurningFigures f;
+  TurningReport f;
   f.least.value = f.smallest.value = std::numeric_limits<double>::infinity();
   const Points p = atEqualSteps(line, 0.06 * pitch);
   std::vector<std::pair<double, std::size_t>> radii;
@@ -71,11 +71,11 @@ turningRadii(const Points& line, double pitch)
   return f;
 }
 
-ReversalFigures
+ReversalReport
 reversals(const Points& line, double pitch)
 {
   constexpr std::size_t half = 10; // steps of a tenth of a pitch to each side
-  ReversalFigures f;
+  ReversalReport f;
   const Points p = atEqualSteps(line, 0.1 * pitch);
   std::size_t turned = 0;
   bool before = false;

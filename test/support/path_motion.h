@@ -25,19 +25,19 @@ Points atEqualSteps(const Points& line, double step);
 double circleRadius(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
 /** Turning radii in pitches: circles through the points 0.12 pitch before and after, every 0.06. */
-struct TurningFigures {
+struct TurningReport {
   Place least;
   Place smallest; ///< a thousandth of the path has a smaller radius
 };
-TurningFigures turningRadii(const Points& line, double pitch);
+TurningReport turningRadii(const Points& line, double pitch);
 
 /** Where the feed turns by more than 150 degrees within two pitches. */
-struct ReversalFigures {
+struct ReversalReport {
   std::size_t count = 0; ///< separate runs of such turns
   double share = 0.0;    ///< of the length
   Place first;
 };
-ReversalFigures reversals(const Points& line, double pitch);
+ReversalReport reversals(const Points& line, double pitch);
 
 /** Seconds from rest to rest at no more than \p speed, mm/s, with accelerations of no more than \p
  * acceleration, mm/s^2, along the path and across it: forward and backward over points \p window / 3 apart,

@@ -41,10 +41,10 @@ placeOf(const AnalyticSurface& surface, const CheckedPath& path, const StockSamp
   return {value, s.x, surface.rimDistance(s.x), path.turn(s.move), s.move};
 }
 
-StockFigures
+StockReport
 figures(const AnalyticSurface& surface, const CheckedPath& path, const std::vector<StockSample>& samples)
 {
-  StockFigures f;
+  StockReport f;
   std::vector<double> values;
   std::size_t uncut = 0;
   const StockSample* highest = nullptr;
@@ -136,10 +136,10 @@ deepestAlongPath(const AnalyticSurface& surface, const CheckedPath& path, const 
 
 } // namespace
 
-RemovalFigures
+RemovalReport
 removedMaterial(const AnalyticSurface& surface, const CheckedPath& path, const RemovalSettings& settings)
 {
-  RemovalFigures result;
+  RemovalReport result;
   if (path.size() < 2)
     return result;
   const int threads = settings.threads > 0 ? settings.threads : omp_get_max_threads();
@@ -179,7 +179,7 @@ removedMaterial(const AnalyticSurface& surface, const CheckedPath& path, const R
 #pragma omp parallel for schedule(dynamic, 4) num_threads(threads)
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(tops.size()); ++i)
     tops[static_cast<std::size_t>(i)] = stock.followed(tops[static_cast<std::size_t>(i)]);
-  const StockFigures searched = figures(surface, path, tops);
+  const StockReport searched = figures(surface, path, tops);
   if (searched.samples > 0 && searched.max.value > result.ridge.max.value)
     result.ridge.max = searched.max;
   if (searched.uncut_share > 0.0 && result.ridge.uncut_share == 0.0)

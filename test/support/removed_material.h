@@ -21,7 +21,7 @@ struct RemovalSettings {
 };
 
 /** Stock at surface samples. */
-struct StockFigures {
+struct StockReport {
   std::size_t samples = 0;
   double p50 = 0.0, p90 = 0.0, p99 = 0.0, p999 = 0.0;
   Place max;
@@ -29,12 +29,12 @@ struct StockFigures {
   Place uncut;              ///< one such place; value is the share
 };
 
-struct RemovalFigures {
-  StockFigures stock; ///< at the samples themselves, farther than the band from the outline
-  StockFigures ridge; ///< highest within the pitch round each sample; max also searches along the path
-  StockFigures rim;   ///< at the samples within the band
-  Place gouge;        ///< deepest, anywhere
-  double band = 0.0;  ///< width left out at the outline: the largest exact step-over on the surface
+struct RemovalReport {
+  StockReport stock; ///< at the samples themselves, farther than the band from the outline
+  StockReport ridge; ///< highest within the pitch round each sample; max also searches along the path
+  StockReport rim;   ///< at the samples within the band
+  Place gouge;       ///< deepest, anywhere
+  double band = 0.0; ///< width left out at the outline: the largest exact step-over on the surface
 };
 
 /** Sweeps the ball along the linear moves of its centre (contact + R normal) and measures at exact surface
@@ -45,6 +45,6 @@ struct RemovalFigures {
  * inside; the deepest penetration of a ball at centre q is R minus the distance of q to the surface, and is
  * also searched along every move.
  */
-RemovalFigures removedMaterial(const AnalyticSurface& surface, const CheckedPath& path, const RemovalSettings& settings);
+RemovalReport removedMaterial(const AnalyticSurface& surface, const CheckedPath& path, const RemovalSettings& settings);
 
 } // namespace pcl_spiral::test

@@ -4,7 +4,7 @@
 #include "core/lanes.h"
 #include "search/neighbour_search.h"
 
-#include "surface/local_fit.h"
+#include "fit/local_fit.h"
 
 #include <algorithm>
 #include <array>

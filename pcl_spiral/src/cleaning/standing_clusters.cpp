@@ -3,9 +3,9 @@
 
 #include "cluster_chance.h"
 
+#include "fit/local_fit.h"
 #include "search/mean_distances.h"
 #include "search/neighbour_search.h"
-#include "surface/local_fit.h"
 
 #include <pcl_spiral/cleaning/impl/point_groups.h>
 

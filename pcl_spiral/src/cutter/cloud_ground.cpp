@@ -185,7 +185,7 @@ CloudGround::moveError(const CutterPlace& from, const CutterPlace& to, double) c
 }
 
 void
-CloudGround::describe(const ToolLocations&, LocationFigures& f) const
+CloudGround::describe(const ToolLocations&, LocationReport& f) const
 {
   f.noise_allowance = surface_.noiseAllowance();
   f.outlier_points = surface_.hasSurface() ? surface_.outlierPoints() : 0;

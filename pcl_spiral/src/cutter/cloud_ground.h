@@ -24,7 +24,7 @@ public:
   double slackAt(const DrivePoint& drive) const override;
   /** The bound of sweptError, because nothing is known between points. */
   double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
-  void describe(const ToolLocations& locations, LocationFigures& figures) const override;
+  void describe(const ToolLocations& locations, LocationReport& figures) const override;
   const char* name() const override { return "scan"; }
   const char* item() const override { return "point"; }
 

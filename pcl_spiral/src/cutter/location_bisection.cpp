@@ -76,7 +76,7 @@ public:
     return Status::success();
   }
 
-  void take(std::vector<ToolLocations>& passes, BisectionFigures& figures)
+  void take(std::vector<ToolLocations>& passes, BisectionReport& figures)
   {
     for (std::size_t p = 0; p < passes.size(); ++p) {
       figures_.inserted += open_[p].locations.size() - passes[p].size();
@@ -205,14 +205,14 @@ private:
   BisectionSettings settings_;
   std::vector<OpenPass> open_;
   double thinned_by_ = 0.0;
-  BisectionFigures figures_;
+  BisectionReport figures_;
 };
 
 } // namespace
 
 Status
 bisectLocations(const CutterLocationEngine& locator, const BisectionSettings& settings, const ProgressCallback& progress,
-                std::vector<ToolLocations>& passes, BisectionFigures& figures)
+                std::vector<ToolLocations>& passes, BisectionReport& figures)
 {
   if (!(settings.tolerance > 0.0) || !std::isfinite(settings.tolerance))
     return {StatusCode::InvalidArgument, Diagnostic("the tolerance between locations is ", settings.tolerance, " {mm}; set it above 0")};

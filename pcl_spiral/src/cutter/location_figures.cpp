@@ -8,10 +8,10 @@
 
 namespace pcl_spiral {
 
-LocationFigures
+LocationReport
 CutterLocationEngine::figures(const ToolLocations& locations) const
 {
-  LocationFigures f;
+  LocationReport f;
   for (std::size_t i = 0; i < locations.size(); ++i) {
     const ToolLocation& location = locations[i];
     ++f.states[static_cast<std::size_t>(location.state)];

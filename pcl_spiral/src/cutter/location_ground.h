@@ -36,7 +36,7 @@ public:
   virtual double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const = 0;
 
   /** Add the figures and warnings of this kind of ground to \p figures, which has the common ones. */
-  virtual void describe(const ToolLocations& locations, LocationFigures& figures) const = 0;
+  virtual void describe(const ToolLocations& locations, LocationReport& figures) const = 0;
 
   /** For messages: its name, "scan", and the name of the items that the cutter meets, "point". */
   virtual const char* name() const = 0;

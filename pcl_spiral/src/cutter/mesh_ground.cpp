@@ -147,7 +147,7 @@ MeshGround::moveError(const CutterPlace& from, const CutterPlace& to, double all
 }
 
 void
-MeshGround::describe(const ToolLocations& locations, LocationFigures& f) const
+MeshGround::describe(const ToolLocations& locations, LocationReport& f) const
 {
   f.noise_allowance = mesh_.rounding() + (std::isfinite(sag_) ? sag_ : 0.0);
   const auto lift = [](const ToolLocation& l) { return l.state == LocationState::Lifted ? l.lift : 0.0; };

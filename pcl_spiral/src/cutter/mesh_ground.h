@@ -26,7 +26,7 @@ public:
   /** For balls whose axis does not turn, if they touch the mesh all the way: how deep they cut into the mesh, if that is
    *  less than sweptError. */
   double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const override;
-  void describe(const ToolLocations& locations, LocationFigures& figures) const override;
+  void describe(const ToolLocations& locations, LocationReport& figures) const override;
   const char* name() const override { return "mesh"; }
   const char* item() const override { return "face"; }
 

@@ -4,7 +4,7 @@
 
 #include "search/neighbour_search.h"
 #include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

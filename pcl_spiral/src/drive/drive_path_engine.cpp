@@ -6,7 +6,7 @@
 #include "drive_kinds.h"
 
 #include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/surface/impl/smoothing_remedy.h>
 
 #include <Eigen/Geometry>
@@ -94,7 +94,7 @@ planDrive(const Surface::ConstPtr& surface, const DriveSettings& settings, const
   const SurfaceGraph none;
   const SurfaceGraph& graph = surface ? surface->graph() : none;
   if (surface)
-    report.outlier_points = surface->counts().offSurface();
+    report.outlier_points = surface->report().offSurface();
   if (!told(0.0, "passes"))
     return cancelled();
   const bool round = settings.goesRound() || settings.axisMode() == DriveAxisMode::Cylinder;

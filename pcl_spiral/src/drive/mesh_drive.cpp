@@ -46,7 +46,7 @@ sampledSurface(const SurfaceMesh::ConstPtr& mesh, Surface::ConstPtr& surface)
   SurfaceSettings settings;
   settings.strict = false;
   std::vector<std::int8_t> why;
-  if (const Status status = makeSurface(std::move(points), settings, SurfaceCounts(), parts, why); !status.ok())
+  if (const Status status = makeSurface(std::move(points), settings, SurfaceReport(), parts, why); !status.ok())
     return status;
   surface = std::make_shared<Surface>(std::move(parts));
   return Status::success();

@@ -160,7 +160,7 @@ loopOf(const SurfaceGraph& graph, const MlsSurface& surface, const Ring& ring, c
  *  cloud is refused: its curve would need far too many nodes. */
 Status
 fitLoops(const MlsSurface& surface, const BoundaryOptions& options, const std::vector<Ring>& rings, std::vector<BoundaryLoop>& loops,
-         BoundaryCounts& found)
+         BoundaryReport& found)
 {
   constexpr double sparsest = 32.0; // spacings between the points of a ring
   constexpr double fits = 8.0;      // of one ring
@@ -220,11 +220,11 @@ keepMarked(const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, std
 } // namespace
 
 Status
-findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, BoundaryCounts* counts)
+findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, BoundaryReport* counts)
 {
   const SurfaceGraph& graph = surface.graph();
   loops.clear();
-  BoundaryCounts found;
+  BoundaryReport found;
   if (const Status status = checkOptions(graph, options); !status.ok())
     return status;
   std::vector<std::uint32_t> parts;
@@ -257,7 +257,7 @@ findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std
 }
 
 Status
-findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, BoundaryCounts* counts)
+findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, BoundaryReport* counts)
 {
   const Status status = findBoundaryLoops(surface.fit(), options, loops, counts);
   for (BoundaryLoop& loop : loops)
@@ -267,7 +267,7 @@ findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::v
 }
 
 Status
-findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, BoundaryCounts* counts)
+findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops, BoundaryReport* counts)
 {
   return findBoundaryLoops(MlsSurface(graph), options, loops, counts);
 }

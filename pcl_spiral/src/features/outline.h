@@ -7,7 +7,7 @@
 #include "loop_rings.h"
 
 #include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 
 #include <cstddef>
 #include <functional>

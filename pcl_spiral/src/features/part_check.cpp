@@ -2,7 +2,7 @@
 #include "part_check.h"
 
 #include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/features/impl/surface_parts.h>
+#include <pcl_spiral/graph/impl/surface_parts.h>
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@
 namespace pcl_spiral {
 
 Status
-checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<std::uint32_t>& part_of, BoundaryCounts& counts)
+checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<std::uint32_t>& part_of, BoundaryReport& counts)
 {
   SurfaceParts found;
   std::vector<std::size_t> sizes;
@@ -21,12 +21,13 @@ checkParts(const SurfaceGraph& graph, const BoundaryOptions& options, std::vecto
   const std::size_t all = graph.triangulation().triangleCount();
   counts.left_out_parts = sizes.size() - 1;
   counts.left_out_triangles = all - sizes[0];
-  const std::vector<SurfacePart> parts = sizes.size() > 1 ? surfaceParts(graph).parts : std::vector<SurfacePart>();
+  const SurfaceParts several = sizes.size() > 1 ? surfaceParts(graph) : SurfaceParts();
+  const std::vector<SurfacePart>& parts = several.parts;
   const OtherParts others = otherParts(parts, options.largest_left_out);
   if (others == OtherParts::TooLarge || others == OtherParts::TooMany)
     return {StatusCode::InvalidInput,
             others == OtherParts::TooLarge
-                ? severalPartsText(parts)
+                ? severalPartsText(graph, several)
                 : Diagnostic("the {cloud} has ", parts.size(), " separate parts: ", partsText(parts),
                              "; this is too many: the {scan} is disconnected, so {scan more densely}, or keep only the largest part "
                              "({setLargestPart})")};

@@ -6,7 +6,7 @@
 
 #include "edge_fit.h"
 
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 namespace pcl_spiral {
 
 std::vector<std::pair<const char*, MeshFinding>>
-mendedFindings(const MeshCounts& counts)
+mendedFindings(const MeshReport& counts)
 {
   return {{"vertices welded", counts.welded},
           {"faces without area left out", counts.without_area},
@@ -17,7 +17,7 @@ mendedFindings(const MeshCounts& counts)
 }
 
 Diagnostic
-findingsText(const MeshCounts& counts)
+findingsText(const MeshReport& counts)
 {
   Diagnostic all;
   const auto add = [&all](const Diagnostic& words) { all += Diagnostic(all.empty() ? "" : ", ", words); };

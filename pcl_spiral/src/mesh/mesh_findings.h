@@ -14,9 +14,9 @@ namespace pcl_spiral {
 
 /** Each kind of MeshFinding that was repaired or left out, with its text, such as "faces turned". Those that did not occur are
  *  included, with a count of 0. */
-std::vector<std::pair<const char*, MeshFinding>> mendedFindings(const MeshCounts& counts);
+std::vector<std::pair<const char*, MeshFinding>> mendedFindings(const MeshReport& counts);
 
 /** "3 faces turned (first at (1, 2, 3)), 2 separate parts"; empty if nothing was done and the mesh is of one part. */
-Diagnostic findingsText(const MeshCounts& counts);
+Diagnostic findingsText(const MeshReport& counts);
 
 } // namespace pcl_spiral

@@ -92,7 +92,7 @@ followPart(const FaceNeighbours& neighbours, std::uint32_t first, std::vector<st
 } // namespace
 
 void
-turnFaces(WeldedFaces& welded, MeshCounts& counts)
+turnFaces(WeldedFaces& welded, MeshReport& counts)
 {
   const std::size_t n = welded.faces.size();
   const std::vector<FaceSide> sides = sidesOf(welded.faces);

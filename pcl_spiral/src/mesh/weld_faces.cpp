@@ -83,7 +83,7 @@ hasNoArea(const Vector3d& a, const Vector3d& b, const Vector3d& c)
 
 /** The faces without those whose corners an earlier one has, in either direction. */
 void
-dropRepeated(WeldedFaces& welded, MeshCounts& counts)
+dropRepeated(WeldedFaces& welded, MeshReport& counts)
 {
   const std::size_t n = welded.faces.size();
   std::vector<Triangle> sorted = welded.faces;
@@ -108,7 +108,7 @@ dropRepeated(WeldedFaces& welded, MeshCounts& counts)
 } // namespace
 
 Status
-weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshCounts& counts)
+weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshReport& counts)
 {
   if (!hasCoordinates(mesh.cloud) || mesh.cloud.width == 0 || mesh.cloud.height == 0)
     return {StatusCode::InvalidInput, "the mesh has no points with x, y and z in single precision: call {setInputMesh} with such a mesh"};

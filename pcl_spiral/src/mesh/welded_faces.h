@@ -21,9 +21,9 @@ struct WeldedFaces {
 };
 
 /** Weld the corners of \p mesh, cut polygons into triangles, leave out faces without area and repeated ones. */
-Status weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshCounts& counts);
+Status weldFaces(const pcl::PolygonMesh& mesh, WeldedFaces& welded, MeshReport& counts);
 
 /** Turn faces so that neighbours face the same way. Each part faces as most of its area did. */
-void turnFaces(WeldedFaces& welded, MeshCounts& counts);
+void turnFaces(WeldedFaces& welded, MeshReport& counts);
 
 } // namespace pcl_spiral

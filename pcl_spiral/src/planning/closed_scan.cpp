@@ -115,7 +115,7 @@ leaveFarPointsOut(PlanInput& input)
 
 /** The figures of \p scan in place of those of the closed one. */
 void
-tellScan(const PlanInput& whole, std::size_t echoes, const ClosingFigures& figures, ScanFigures& report)
+tellScan(const PlanInput& whole, std::size_t echoes, const ClosingReport& figures, ScanReport& report)
 {
   report.input_points = whole.indices ? whole.indices->size() : whole.cloud->size();
   report.nonfinite_points = static_cast<std::size_t>(
@@ -184,7 +184,7 @@ closeScan(const PlanInput& given, const SeenParts& seen, const ClosingTry& how, 
   closing.compute(*points);
   if (!closing.getStatus().ok())
     return closing.getStatus();
-  const ClosingFigures& figures = closed.figures = closing.getFigures();
+  const ClosingReport& figures = closed.figures = closing.getReport();
   if (figures.covered > 0)
     closed.warnings.push_back(
         Diagnostic("seen along the tool axis, ", 100.0 * static_cast<double>(figures.covered) / static_cast<double>(figures.points),

@@ -23,8 +23,8 @@ struct ClosingTry {
 struct ClosedScan {
   PlanInput input;       ///< with the closed scan, its grid, the axis, a smaller ball, and a modifier that keeps the tool clear of the scan
   double rounding = 0.0; ///< mm
-  ClosingFigures figures; ///< of the closing
-  Diagnostics warnings;   ///< what the ball cannot enter
+  ClosingReport figures; ///< of the closing
+  Diagnostics warnings;  ///< what the ball cannot enter
 };
 
 /** InvalidArgument for an input with which planClosed does nothing: a mesh, keep-outs, and settings that do not go with a closed scan. */

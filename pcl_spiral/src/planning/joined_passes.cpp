@@ -35,7 +35,7 @@ add(const DriveReport& one, DriveReport& all)
 }
 
 void
-add(const LocationFigures& one, LocationFigures& all)
+add(const LocationReport& one, LocationReport& all)
 {
   for (std::size_t i = 0; i < location_states; ++i)
     all.states[i] += one.states[i];
@@ -51,7 +51,7 @@ add(const LocationFigures& one, LocationFigures& all)
 }
 
 void
-add(const BisectionFigures& one, BisectionFigures& all)
+add(const BisectionReport& one, BisectionReport& all)
 {
   all.inserted += one.inserted;
   all.unresolved += one.unresolved;

@@ -23,7 +23,7 @@ constexpr double most_samples = 5e5, samples_a_square = 1.6; // the latter: of o
 Status
 requireOpen(const SurfaceMesh& mesh)
 {
-  if (!mesh.counts().closed)
+  if (!mesh.report().closed)
     return Status::success();
   Eigen::AlignedBox3d box;
   for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
@@ -46,7 +46,7 @@ spacingFor(const SpiralSettings& settings, const SurfaceMesh& mesh)
 {
   const double closest = std::sqrt(mesh.area() * samples_a_square / most_samples);
   double spacing = std::min(defaultSampleSpacing(mesh), std::max(stepOnPlane(settings), closest));
-  if (mesh.counts().creases.count > 0)
+  if (mesh.report().creases.count > 0)
     spacing = std::max(spacing, settings.tool_radius / spacings_a_radius);
   if (settings.hole_size > 0.0)
     spacing = std::min(spacing, std::max(settings.hole_size / spacings_a_hole, closest));
@@ -121,7 +121,7 @@ sampleMesh(const SurfaceMesh::ConstPtr& mesh, double spacing, const SpiralSettin
     return sampling.getStatus();
   sampled.spacing = sampling.getUsedSpacing();
   sampled.faces = sampling.getFaceIndices();
-  sampled.counts = mesh->counts();
+  sampled.counts = mesh->report();
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   for (const pcl::PointNormal& sample : samples) {
@@ -160,7 +160,7 @@ meshHoleSize(const SpiralSettings& settings, const SampledMesh& mesh)
 Diagnostics
 creaseWarnings(const SampledMesh& input, const Surface& surface)
 {
-  const MeshCounts& counts = input.mesh->counts();
+  const MeshReport& counts = input.mesh->report();
   if (counts.creases.count == 0)
     return {};
   const double band = surface.spacing() * std::sqrt(surface.fit().neighbours() / pi);

@@ -149,7 +149,7 @@ public:
   /** Keeps the points at which \p tool stays out of the keep-outs of \p region, without the \p strips; adds the others to \p figures. Of
    *  several parts only the one that was chosen is kept: few points left of it between keep-outs would have their neighbours on another
    *  one. */
-  Status keepToolOut(Region& region, const PartTool& tool, const StripChoice& strips, RegionFigures& figures)
+  Status keepToolOut(Region& region, const PartTool& tool, const StripChoice& strips, RegionReport& figures)
   {
     Surface::ConstPtr surface;
     if (strips.surface && *strips.surface)
@@ -173,7 +173,7 @@ public:
     const pcl::Indices others = leftOutFor(LeftOut::OtherPart, *surface), isolated = leftOutFor(LeftOut::Isolated, *surface);
     const pcl::Indices beside = nearerTo(others, isolated, *surface, *cloud_);
     kept = without(beside, without(others, kept));
-    figures.too_close = region.getFigures().too_close;
+    figures.too_close = region.getReport().too_close;
     if (!surface->keptPart().empty())
       part_.warnings.push_back(surface->keptPart());
     leaveOut(strips, *surface, kept);
@@ -240,7 +240,7 @@ private:
 
 /** Says what was left out of a scan that had \p all points. */
 void
-warnOfCuts(const PartChoice& choice, const RegionFigures& figures, std::size_t all, double tool_radius, Diagnostics& warnings)
+warnOfCuts(const PartChoice& choice, const RegionReport& figures, std::size_t all, double tool_radius, Diagnostics& warnings)
 {
   if (choice.crop_box || choice.crop || choice.region)
     warnings.push_back(Diagnostic(figures.cropped, " of ", all, " points are outside the ", choice.region ? "region" : "crop",
@@ -289,11 +289,11 @@ choosePart(const WholeScan& scan, const PartChoice& choice, const PartTool& tool
     region.addKeepOut(keep_out);
   if (const Status status = selection.keep(region); !status.ok()) // first what stands there, which would disturb the normals beside it
     return status;
-  RegionFigures figures = region.getFigures();
+  RegionReport figures = region.getReport();
   if (choice.region) {
     if (const Status status = selection.keep(inside); !status.ok())
       return status;
-    figures.cropped += inside.getFigures().cropped;
+    figures.cropped += inside.getReport().cropped;
   }
   if (!choice.keep_outs.empty() && tool.radius > 0.0)
     if (const Status status = selection.keepToolOut(region, tool, strips, figures); !status.ok())

@@ -40,7 +40,7 @@ leaveOutStrays(unsigned int threads, PassPlan& plan)
   removal.filter(indices);
   if (!removal.getStatus().ok())
     return removal.getStatus();
-  const OutlierFigures& f = removal.getFigures();
+  const OutlierReport& f = removal.getReport();
   if (f.outliers > 0)
     plan.warnings.push_back(Diagnostic(f.outliers, " of ", plan.cloud->size(),
                                        " points off the scanned surface were left out ({setLeaveOutStrays}); the largest group has ",

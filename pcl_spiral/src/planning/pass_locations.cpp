@@ -46,8 +46,8 @@ locateCutter(const PassSettings& settings, const SurfaceSettings& surface, const
   location.setProgressCallback(progress);
   location.setQuiet(true);
   location.compute(located);
-  plan.locations = location.getFigures();
-  plan.bisection = location.getBisectionFigures();
+  plan.locations = location.getReport();
+  plan.bisection = location.getBisectionReport();
   return renamed(location.getStatus(), location_names);
 }
 

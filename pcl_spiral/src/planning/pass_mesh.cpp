@@ -13,7 +13,7 @@ namespace pcl_spiral {
 void
 warnOfMesh(PassPlan& plan)
 {
-  const MeshCounts& counts = plan.mesh->counts();
+  const MeshReport& counts = plan.mesh->report();
   if (const Diagnostic found = findingsText(counts); !found.empty())
     plan.warnings.push_back(Diagnostic("the mesh: ", found));
   if (counts.creases.count > 0)

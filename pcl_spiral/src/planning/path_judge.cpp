@@ -201,7 +201,7 @@ PathJudge::judge(const GivenPath& given, std::size_t region, JudgedPath& judged)
   settings.normals = part.normals;
   settings.part_at = part.chosen.part_at;
   settings.clusters = part.clusters;
-  if (settings.mesh && settings.mesh->counts().closed) // only the faces that the path touches are judged
+  if (settings.mesh && settings.mesh->report().closed) // only the faces that the path touches are judged
     part.reference.reset();
   const double begin = given.program || !given.has_contacts ? share_of_reading : 0.0;
   const Diagnostics of_file = std::move(judged.verification.removal.warnings);
@@ -215,7 +215,7 @@ PathJudge::judge(const GivenPath& given, std::size_t region, JudgedPath& judged)
   if (!(settings.cutter.radius > 0.0))
     return Status::success();
   if (input_.raw && !part.raw) {
-    RawScanFigures raw;
+    RawScanReport raw;
     if (const Status status = compareRawScan(*input_.raw, part.reference->scanned(), raw); !status.ok())
       return {status.code(), Diagnostic(input_.raw_name, ": ", status.diagnostic())};
     part.raw = std::move(raw);

@@ -141,7 +141,7 @@ judgeDeviation(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::
     reference = deviation.getReferenceSurface();
     heights.points = judgedPoints(scan, *reference);
     heights.deviation = intensities(values);
-    verification.deviation = deviation.getFigures();
+    verification.deviation = deviation.getReport();
     verification.side = reference->scanned().side();
   }
   return deviation.getStatus();
@@ -169,7 +169,7 @@ judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl::Point
   removal.compute(values);
   heights.stock = intensities(values);
   heights.ridges = removal.getRidgeHeights();
-  verification.removal = removal.getFigures();
+  verification.removal = removal.getReport();
   if (removal.getStatus().ok())
     heights.scallop = ridgesAlong(*path, values, heights.ridges);
   verification.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -232,7 +232,7 @@ faultsBeside(const JudgedSurroundings& around, const Surface& reference, const p
 }
 
 Status
-compareRawScan(const pcl::PointCloud<pcl::PointXYZ>& raw, const Surface& smoothed, RawScanFigures& figures)
+compareRawScan(const pcl::PointCloud<pcl::PointXYZ>& raw, const Surface& smoothed, RawScanReport& figures)
 {
   std::vector<Eigen::Vector3f> points;
   for (const pcl::PointXYZ& p : raw)
@@ -248,7 +248,7 @@ compareRawScan(const pcl::PointCloud<pcl::PointXYZ>& raw, const Surface& smoothe
 }
 
 Diagnostic
-faultInRaw(const RawScanFigures& raw, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, double allowed)
+faultInRaw(const RawScanReport& raw, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, double allowed)
 {
   Diagnostic words;
   auto cut = cutBeside(raw.means, path, settings, words);
@@ -263,7 +263,7 @@ faultInRaw(const RawScanFigures& raw, const pcl::PointCloud<ToolpathPoint>::Cons
 
 void
 addVerdicts(const Limits& limits, const JudgedSurroundings& around, const ReferenceSurface& reference,
-            const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, const RawScanFigures* raw,
+            const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, const RawScanReport* raw,
             const std::string& raw_name, Verification& verification)
 {
   verification.broken = brokenLimits(limits, verification);

@@ -215,7 +215,7 @@ attempt(const PlanInput& input, const PartChoice& choice, const StripChoice& str
     for (const Diagnostic& warning : creaseWarnings(*plan.mesh, *plan.surface))
       report.warnings.push_back(warning);
   if (plan.surface)
-    report.passes += plan.surface->counts().passes;
+    report.passes += plan.surface->report().passes;
   report.stages.insert(report.stages.begin(), stages.begin(), stages.end());
   for (const UncutStrip& strip : plan.part.strips)
     report.warnings.push_back(stripText(strip));

@@ -130,7 +130,7 @@ movesAfter(const PlaybackTime& time, double seconds)
 }
 
 Status
-playbackStock(const PlaybackInput& input, const StockMesh& mesh, const RemovalFigures& judged, StockFalls& falls,
+playbackStock(const PlaybackInput& input, const StockMesh& mesh, const RemovalReport& judged, StockFalls& falls,
               const std::function<bool(double)>& progress)
 {
   CutterPath path;

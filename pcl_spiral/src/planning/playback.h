@@ -22,7 +22,7 @@ struct PlaybackInput {
   pcl::PointCloud<ToolpathPoint>::ConstPtr path; ///< JudgedPath::path: contacts
   Polyline tips;                                 ///< one a point; empty: from the contacts
   CutterShape cutter;                            ///< must be given
-  std::vector<std::size_t> lines;                ///< ProgramFigures::lines of the path; empty: no program was judged
+  std::vector<std::size_t> lines;                ///< ProgramFileReport::lines of the path; empty: no program was judged
   std::optional<ProgramFile> program;            ///< that was judged; absent: one is made of the path
   Machine machine;                               ///< that makes a path
   double feed = 1000.0;                          ///< of a path, mm/min
@@ -45,7 +45,7 @@ Status playbackTime(PlaybackInput& input, PlaybackTime& time);
 std::size_t movesAfter(const PlaybackTime& time, double seconds);
 
 /** The falls of the stock over \p mesh, that of \p judged, along its path. \p progress: see stockFalls; when it cancels, there are none. */
-Status playbackStock(const PlaybackInput& input, const StockMesh& mesh, const RemovalFigures& judged, StockFalls& falls,
+Status playbackStock(const PlaybackInput& input, const StockMesh& mesh, const RemovalReport& judged, StockFalls& falls,
                      const std::function<bool(double)>& progress = {});
 
 } // namespace pcl_spiral

@@ -25,7 +25,7 @@ constexpr double share_of_tolerance = 0.2;                     // of the chord e
 constexpr double scallops_in_air = 20.0, noises_in_air = 10.0; // a cutter higher than this above the scan does not cut
 
 Diagnostic
-textOfCollision(const LeadFigures& figures, const ProgramFile& read)
+textOfCollision(const LeadReport& figures, const ProgramFile& read)
 {
   const LeadCollision& deepest = figures.deepest;
   const bool rapid = read.program.blocks[deepest.block].rapid;
@@ -78,7 +78,7 @@ checkPace(const CutterShape& cutter, const ProgramFile& read, const ProgramPath&
 
 /** Warnings and faults that the text of a program shows. */
 void
-checkText(const ProgramFile& read, ProgramFigures& figures)
+checkText(const ProgramFile& read, ProgramFileReport& figures)
 {
   if (const Status status = checkLimits(Kinematics(read.program.machine), read.program.blocks, read.lines); !status.ok()) {
     if (read.by_vectors)
@@ -95,7 +95,7 @@ checkText(const ProgramFile& read, ProgramFigures& figures)
 } // namespace
 
 Status
-PathJudge::checkOtherMoves(const ProgramFile& read, const JudgedPart& part, ProgramFigures& figures) const
+PathJudge::checkOtherMoves(const ProgramFile& read, const JudgedPart& part, ProgramFileReport& figures) const
 {
   LeadCheck<pcl::PointXYZ> check;
   check.setInputCloud(input_.cloud);
@@ -108,12 +108,12 @@ PathJudge::checkOtherMoves(const ProgramFile& read, const JudgedPart& part, Prog
   check.compute(read.program);
   if (!check.getStatus().ok())
     return check.getStatus();
-  figures.leads = check.getObstacleFigures();
+  figures.leads = check.getObstacleReport();
   if (figures.leads.collided > 0)
     figures.faults.push_back(textOfCollision(figures.leads, read));
-  else if (check.getFigures().collided > 0)
+  else if (check.getReport().collided > 0)
     figures.warnings.push_back(
-        Diagnostic(textOfCollision(check.getFigures(), read), ": only single points off the surface are there, usually false echoes"));
+        Diagnostic(textOfCollision(check.getReport(), read), ": only single points off the surface are there, usually false echoes"));
   return Status::success();
 }
 
@@ -136,8 +136,8 @@ PathJudge::readProgram(const ProgramFile& file, std::size_t region, JudgedPath& 
   settings.axis_arcs = read.axis_arcs;
   const ProgramPath path = passes_ ? pathOf(*part.reference, settings, passes_->blocksOf(region, read.program), read.program)
                                    : programPath(*part.reference, settings, read.program);
-  judged.verification.program = ProgramFigures();
-  ProgramFigures& figures = *judged.verification.program;
+  judged.verification.program = ProgramFileReport();
+  ProgramFileReport& figures = *judged.verification.program;
   figures.language = read.language;
   figures.blocks = read.program.blocks.size();
   figures.passes = path.passes;

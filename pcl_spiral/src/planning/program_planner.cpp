@@ -33,7 +33,7 @@ leadCheckOf(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const LedTool&
 }
 
 Diagnostic
-textOfCollision(const LedTool& tool, const LeadFigures& figures)
+textOfCollision(const LedTool& tool, const LeadReport& figures)
 {
   return Diagnostic(collisionText(tool, figures.deepest), "; ", figures.collided, " of the ", figures.moves, " moves off the path collide");
 }
@@ -131,7 +131,7 @@ ProgramPlanner::checkLeads(const MachineProgram& program)
   check.compute(program);
   if (!check.getStatus().ok())
     return check.getStatus();
-  const LeadFigures &all = check.getFigures(), &obstacles = check.getObstacleFigures();
+  const LeadReport &all = check.getReport(), &obstacles = check.getObstacleReport();
   if (all.collided == 0)
     return Status::success();
   if (obstacles.collided == 0)

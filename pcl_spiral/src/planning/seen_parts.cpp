@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/seen_parts.h"
 
-#include <pcl_spiral/features/impl/surface_parts.h>
+#include <pcl_spiral/graph/impl/surface_parts.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <pcl/common/io.h>
@@ -22,7 +22,7 @@ isChosen(const PlanInput& input)
 pcl::PointCloud<pcl::PointXYZ>::ConstPtr
 chosenOf(const Surface& surface, const pcl::PointCloud<pcl::PointXYZ>& scan)
 {
-  if (surface.counts().other_part == 0)
+  if (surface.report().other_part == 0)
     return nullptr;
   const auto chosen = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   chosen->sensor_origin_ = scan.sensor_origin_;

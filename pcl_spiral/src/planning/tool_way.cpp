@@ -124,8 +124,8 @@ check(const ToolWay& asked, const Way& way, Diagnostics& warnings)
   check.compute(way);
   if (!check.getStatus().ok())
     return check.getStatus();
-  const LeadFigures &all = check.getFigures(), &obstacles = check.getObstacleFigures();
-  const auto counted = [](const LeadFigures& f) { return Diagnostic("; ", f.collided, " of the ", f.moves, " cutting moves collide"); };
+  const LeadReport &all = check.getReport(), &obstacles = check.getObstacleReport();
+  const auto counted = [](const LeadReport& f) { return Diagnostic("; ", f.collided, " of the ", f.moves, " cutting moves collide"); };
   if (all.collided == 0)
     return Status::success();
   if (obstacles.collided == 0)

@@ -144,7 +144,7 @@ makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>& loops
 }
 
 void
-measureLinked(const LinkedPath& path, ScallopFigures& figures)
+measureLinked(const LinkedPath& path, ScallopReport& figures)
 {
   if (!path.metric.empty())
     std::tie(figures.smallest_step_over, figures.largest_step_over) = stepOverRange(path);
@@ -159,7 +159,7 @@ measureLinked(const LinkedPath& path, ScallopFigures& figures)
 
 Status
 makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, const SpiralSettings& settings,
-                const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures)
+                const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopReport& figures)
 {
   if (progress && !progress(0.0, "linking"))
     return {StatusCode::Cancelled, "cancelled"};
@@ -178,7 +178,7 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
     return {StatusCode::Cancelled, "cancelled"};
   trimEnd(path);
   if (field) {
-    CoverFigures cover;
+    CoverReport cover;
     if (!coverPath(*field, held_rim * rim, partOf(progress, 0.25, 1.0), path, cover))
       return {StatusCode::Cancelled, "cancelled"};
     trimEnd(path);
@@ -201,7 +201,7 @@ makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, c
 
 Status
 linkOnField(const StepOverDistance* field, std::vector<ScallopLoop> loops, const SpiralSettings& settings, const ProgressCallback& progress,
-            StageClock& clock, LinkedPath& path, ScallopFigures& figures)
+            StageClock& clock, LinkedPath& path, ScallopReport& figures)
 {
   ScallopLoopSet set;
   set.loops = std::move(loops);
@@ -217,10 +217,10 @@ linkOnField(const StepOverDistance* field, std::vector<ScallopLoop> loops, const
 
 Status
 planConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
-                    const ProgressCallback& progress, bool drop, StageClock& clock, SpiralTurns& turns, ScallopFigures& figures)
+                    const ProgressCallback& progress, bool drop, StageClock& clock, SpiralTurns& turns, ScallopReport& figures)
 {
   turns = SpiralTurns();
-  figures = ScallopFigures();
+  figures = ScallopReport();
   if (progress && !progress(0.0, "step-over field"))
     return {StatusCode::Cancelled, "cancelled"};
   const StepOverOptions options = optionsOf(settings);

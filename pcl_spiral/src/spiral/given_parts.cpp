@@ -211,7 +211,7 @@ checkRims(const std::vector<Polyline>& rims, const std::vector<BoundaryLoop>& bo
 /** The path of a field, of loops, or of both. */
 Status
 linkGiven(const GivenParts& given, const Surface& surface, const std::vector<BoundaryLoop>& boundaries, const SpiralSettings& settings,
-          const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures)
+          const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopReport& figures)
 {
   if (given.field) {
     std::vector<Polyline> rims;
@@ -258,7 +258,7 @@ faultOf(const SpiralPath& path, std::size_t i, const Surface& surface)
 
 /** The figures of \p path that can be read from it. */
 void
-measureAxes(const SpiralPath& path, AxisFigures& figures)
+measureAxes(const SpiralPath& path, AxisReport& figures)
 {
   figures.largest_change = figures.largest_rate = figures.largest_lean = 0.0;
   const auto angle = [](const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)) * in_degrees; };
@@ -319,10 +319,10 @@ checkGivenParts(const GivenParts& given, const SpiralSettings& settings, bool li
 
 Status
 planGiven(const GivenParts& given, const Surface& surface, const std::vector<BoundaryLoop>& boundaries, const SpiralSettings& settings,
-          const ProgressCallback& progress, StageClock& clock, SpiralTurns& turns, ScallopFigures& figures)
+          const ProgressCallback& progress, StageClock& clock, SpiralTurns& turns, ScallopReport& figures)
 {
   turns = SpiralTurns();
-  figures = ScallopFigures();
+  figures = ScallopReport();
   LinkedPath path;
   Status status = Status::success();
   if (given.planner) {
@@ -355,7 +355,7 @@ planGiven(const GivenParts& given, const Surface& surface, const std::vector<Bou
 
 Status
 modifyPath(const std::vector<std::shared_ptr<const PathModifier>>& modifiers, const Surface& surface, const SpiralSettings& settings,
-           SpiralPath& path, AxisFigures& axes, GapFigures& gaps)
+           SpiralPath& path, AxisReport& axes, GapReport& gaps)
 {
   for (std::size_t m = 0; m < modifiers.size(); ++m) {
     if (!modifiers[m])

@@ -16,7 +16,7 @@ constexpr double least_efficiency = 0.8; // below it there is a warning
 } // namespace
 
 void
-reportSpacing(const PathFigures& path, SpiralReport& report)
+reportSpacing(const ToolpathReport& path, SpiralReport& report)
 {
   const bool neighbours = path.closest.distance > 0.0 && path.closest.distance <= report.largest_step_over;
   if (neighbours) {

@@ -70,7 +70,7 @@ reportHoles(const BridgedSurface& bridged, SpiralReport& report)
 void
 reportSurface(const Surface& surface, bool made, SpiralReport& report)
 {
-  const SurfaceCounts& counts = surface.counts();
+  const SurfaceReport& counts = surface.report();
   report.input_points = counts.input;
   report.nonfinite_points = counts.nonfinite;
   report.duplicate_points = counts.duplicate;
@@ -150,7 +150,7 @@ reportLines(const RadialLineSet& lines, const SpiralSettings& settings, TurnPlan
 }
 
 void
-reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, TurnPlan& plan, Diagnostics& warnings)
+reportScallop(const ScallopReport& figures, const SpiralSettings& settings, TurnPlan& plan, Diagnostics& warnings)
 {
   plan.scallop_loops = figures.loops;
   plan.chain_loops = figures.chain_loops;
@@ -195,7 +195,7 @@ reportTurns(const SpiralTurns& turns, TurnPlan& plan, Diagnostics& warnings)
 }
 
 void
-reportGaps(const GapFigures& gaps, SpiralReport& report)
+reportGaps(const GapReport& gaps, SpiralReport& report)
 {
   report.gap_points = gaps.points;
   report.gap_length = gaps.length;
@@ -206,7 +206,7 @@ reportGaps(const GapFigures& gaps, SpiralReport& report)
 }
 
 void
-reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report)
+reportPath(const GapReport& gaps, const AxisReport& axes, const ToolpathReport& path, SpiralReport& report)
 {
   reportGaps(gaps, report);
   report.largest_axis_change = axes.largest_change;
@@ -224,7 +224,7 @@ reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& p
 void
 reportPublished(const Surface& surface, const SpiralSettings& settings, PublishedResult& published, SpiralReport& report, SpiralPath& path)
 {
-  const PublishedFigures& figures = published.figures;
+  const PublishedReport& figures = published.figures;
   if (!published.lines.lines.empty())
     reportLines(published.lines, settings, report, report.warnings);
   report.loops = std::move(published.loops);
@@ -247,7 +247,7 @@ reportPublished(const Surface& surface, const SpiralSettings& settings, Publishe
   path.arc_lengths = std::move(published.arc_lengths);
   path.turns = std::move(published.turns);
   report.least_length = leastLength(published.lines, settings);
-  PathFigures measured;
+  ToolpathReport measured;
   measureTurns(path, settings, measured);
   reportSpacing(measured, report);
   if (measured.reversals.count > 0)

@@ -14,7 +14,7 @@ addPoints(Surface::ConstPtr surface, const std::vector<Eigen::Vector3f>& bridges
   result.reset();
   Surface::Parts parts;
   parts.settings = surface->settings();
-  parts.counts = surface->counts();
+  parts.counts = surface->report();
   parts.left_out = surface->leftOut();
   parts.input_size = surface->inputSize();
   parts.side = surface->side();

@@ -6,7 +6,7 @@
 namespace pcl_spiral {
 
 Diagnostics
-countWarnings(const SurfaceCounts& counts, double spacing)
+countWarnings(const SurfaceReport& counts, double spacing)
 {
   Diagnostics warnings;
   if (counts.surplus > 0)

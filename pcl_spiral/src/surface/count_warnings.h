@@ -10,6 +10,6 @@
 namespace pcl_spiral {
 
 /** Surplus points and outliers in \p counts, in full sentences. \p spacing of the surface, mm. */
-Diagnostics countWarnings(const SurfaceCounts& counts, double spacing);
+Diagnostics countWarnings(const SurfaceReport& counts, double spacing);
 
 } // namespace pcl_spiral

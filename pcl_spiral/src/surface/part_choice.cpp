@@ -33,10 +33,10 @@ checkChosen(const SurfaceGraph& graph, const SurfaceSettings& settings)
 {
   if (settings.part_at || settings.largest_part)
     return Status::success();
-  const std::vector<SurfacePart> parts = surfaceParts(graph).parts;
-  if (otherParts(parts, largest_cluster) != OtherParts::TooLarge)
+  const SurfaceParts parts = surfaceParts(graph);
+  if (otherParts(parts.parts, largest_cluster) != OtherParts::TooLarge)
     return Status::success();
-  return {StatusCode::InvalidInput, severalPartsText(parts)};
+  return {StatusCode::InvalidInput, severalPartsText(graph, parts)};
 }
 
 Diagnostic

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/features/impl/surface_parts.h>
+#include <pcl_spiral/graph/impl/surface_parts.h>
 #include <pcl_spiral/surface/surface.h>
 
 namespace pcl_spiral {

@@ -4,7 +4,7 @@
 
 #include <pcl_spiral/cleaning/impl/clean_graph.h>
 #include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/features/impl/surface_parts.h>
+#include <pcl_spiral/graph/impl/surface_parts.h>
 #include <pcl_spiral/surface/impl/side_text.h>
 
 #include "cleaning/standing_clusters.h"
@@ -251,7 +251,7 @@ private:
 
   void finish()
   {
-    SurfaceCounts& counts = parts_.counts;
+    SurfaceReport& counts = parts_.counts;
     counts.used = parts_.graph.size();
     parts_.isolated = isolatedPoints();
     parts_.settings = settings_;
@@ -276,7 +276,7 @@ private:
 } // namespace
 
 Status
-makeSurface(SurfacePoints points, const SurfaceSettings& settings, const SurfaceCounts& counts, Surface::Parts& parts,
+makeSurface(SurfacePoints points, const SurfaceSettings& settings, const SurfaceReport& counts, Surface::Parts& parts,
             std::vector<std::int8_t>& why)
 {
   parts = Surface::Parts();

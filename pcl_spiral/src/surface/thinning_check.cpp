@@ -51,7 +51,7 @@ distanceOf(const Cube& cube)
 ThinningError
 thinningError(const Surface& surface)
 {
-  const std::vector<Eigen::Vector3d> places = thinnedPoints(surface.leftOut(), surface.counts().thinned);
+  const std::vector<Eigen::Vector3d> places = thinnedPoints(surface.leftOut(), surface.report().thinned);
   std::vector<SurfaceFoot> feet;
   surface.fit().project(places, feet);
   std::map<std::array<long, 3>, Cube> cubes;
@@ -82,7 +82,7 @@ thinningError(const Surface& surface)
 Status
 checkThinning(const Surface& surface, double allowed)
 {
-  if (surface.counts().thinned == 0)
+  if (surface.report().thinned == 0)
     return Status::success();
   const ThinningError error = thinningError(surface);
   const double edge = surface.settings().thinning;

@@ -43,7 +43,7 @@ findBlockedLinks(LeadCheck<pcl::PointXYZ> check, const MachineProgram& program, 
   check.setHolderClearance(check.getHolderClearance() + room);
   check.setLargestEcho(0);
   check.compute(links);
-  for (const std::size_t block : check.getFigures().blocks)
+  for (const std::size_t block : check.getReport().blocks)
     if (passes.empty() || passes.back() != pass_of_block[block])
       passes.push_back(pass_of_block[block]);
   return check.getStatus();

@@ -22,7 +22,7 @@ constexpr double rounding = 1e-4; // cosine: along a wall the tool axis is squar
 /** Sums and extremes over the points, taken in their order. */
 class Tally {
 public:
-  Tally(const ReferenceSurface& reference, const CutterPath& path, DeviationFigures& figures)
+  Tally(const ReferenceSurface& reference, const CutterPath& path, DeviationReport& figures)
   : reference_(reference), path_(path), figures_(figures)
   {}
 
@@ -112,13 +112,13 @@ private:
 
   const ReferenceSurface& reference_;
   const CutterPath& path_;
-  DeviationFigures& figures_;
+  DeviationReport& figures_;
   double squares_ = 0.0;
   std::vector<float> amounts_, angles_;
 };
 
 void
-warn(const ReferenceSurface& reference, DeviationFigures& figures)
+warn(const ReferenceSurface& reference, DeviationReport& figures)
 {
   const auto of = [&](std::size_t count) { return Diagnostic(count, " of ", figures.points, " path points"); };
   if (figures.unmeasured > 0)
@@ -144,11 +144,11 @@ warn(const ReferenceSurface& reference, DeviationFigures& figures)
 
 Status
 measureDeviation(const ReferenceSurface& reference, const CutterPath& path, double chord_error, const ProgressCallback& progress,
-                 std::vector<float>& deviation, DeviationFigures& figures)
+                 std::vector<float>& deviation, DeviationReport& figures)
 {
   const auto start = std::chrono::steady_clock::now();
   deviation.clear();
-  figures = DeviationFigures();
+  figures = DeviationReport();
   figures.points = path.size();
   figures.by_mesh = reference.mesh() != nullptr;
   describeReference(reference, 0.0, chord_error, figures);

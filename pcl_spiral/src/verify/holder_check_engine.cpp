@@ -180,7 +180,7 @@ chunksOf(const CutRuns& cut)
 template <typename Obstacles>
 Status
 search(const Obstacles& obstacles, const UpperTool& tool, const CutRuns& runs, double tolerance, const ProgressCallback& progress,
-       LeadFigures& figures)
+       LeadReport& figures)
 {
   const PathSearch<Obstacles> path(obstacles, tool, tolerance);
   const std::vector<MoveRange> ranges = chunksOf(runs);
@@ -193,7 +193,7 @@ search(const Obstacles& obstacles, const UpperTool& tool, const CutRuns& runs, d
     for (std::int64_t i = static_cast<std::int64_t>(begin); i < end; ++i)
       path.look(ranges[i], ranges[i].begin, ranges[i].end, found[i]);
   }
-  figures = LeadFigures();
+  figures = LeadReport();
   figures.moves = runs.count;
   const LeadCollision* last = nullptr;
   for (const std::vector<LeadCollision>& some : found)
@@ -224,14 +224,14 @@ upperTool(const CutterShape& shape, const std::vector<ToolSegment>& holder, doub
 
 Status
 findHolderCollisions(const PointBlocks& points, const UpperTool& tool, const CutRuns& runs, double tolerance,
-                     const ProgressCallback& progress, LeadFigures& figures)
+                     const ProgressCallback& progress, LeadReport& figures)
 {
   return search(PointObstacles(points), tool, runs, tolerance, progress, figures);
 }
 
 Status
 findHolderCollisions(const SurfaceMesh& mesh, const UpperTool& tool, const CutRuns& runs, double tolerance,
-                     const ProgressCallback& progress, LeadFigures& figures)
+                     const ProgressCallback& progress, LeadReport& figures)
 {
   return search(FaceObstacles(mesh, tolerance), tool, runs, tolerance, progress, figures);
 }

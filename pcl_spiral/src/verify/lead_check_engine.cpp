@@ -132,9 +132,9 @@ private:
 
 Status
 findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const HolderProfile& holder, const MachineProgram& program,
-                   double tolerance, const ProgressCallback& progress, LeadFigures& figures)
+                   double tolerance, const ProgressCallback& progress, LeadReport& figures)
 {
-  figures = LeadFigures();
+  figures = LeadReport();
   if (const Status status = checkMachine(program.machine); !status.ok())
     return status;
   if (program.blocks.empty())

@@ -21,7 +21,7 @@ placeOf(const Figure& figure)
 
 /** Why \p deviation's reference cannot show that a limit holds; empty if it can. */
 Diagnostic
-notShown(const FigureLimit& limit, const DeviationFigures& deviation)
+notShown(const FigureLimit& limit, const DeviationReport& deviation)
 {
   const double least = leastShown(deviation);
   if (!limit.needs_proof || limit.most >= least)
@@ -36,7 +36,7 @@ notShown(const FigureLimit& limit, const DeviationFigures& deviation)
 
 /** "Limits::gouge 0.01 is broken: 0.02 mm at (1, 2, 3), path point 4" */
 Diagnostic
-brokenText(const Figure& figure, const DeviationFigures& deviation)
+brokenText(const Figure& figure, const DeviationReport& deviation)
 {
   const FigureLimit& limit = *figure.limit;
   Diagnostic text(limit.name, " ", SixDigits(limit.most), " is broken: ", SixDigits(limit.found),
@@ -79,7 +79,7 @@ faultsOfPoses(const Verification& verification)
 {
   Diagnostics faults;
   const FigureTable table = figuresOf(verification, Limits());
-  const DeviationFigures& d = verification.deviation;
+  const DeviationReport& d = verification.deviation;
   addFault(faults, d.opposed, d.points,
            Diagnostic("have a normal that points into the material", placeOf(table.at("deviation/opposed_normals"))));
   addFault(faults, d.inward_axes, d.points,
@@ -106,7 +106,7 @@ unprovenLimits(const Limits& limits, const Verification& verification)
 }
 
 double
-leastShown(const DeviationFigures& deviation)
+leastShown(const DeviationReport& deviation)
 {
   return fit_deviations * deviation.fit_noise;
 }

@@ -23,7 +23,7 @@ Diagnostics faultsOfPoses(const Verification& verification);
 Diagnostics unprovenLimits(const Limits& limits, const Verification& verification);
 
 /** The smallest value that the reference can show, mm: three standard deviations of its surface. */
-double leastShown(const DeviationFigures& deviation);
+double leastShown(const DeviationReport& deviation);
 
 enum class Verdict { NoLimits, Kept, Unproven, Broken };
 

@@ -25,7 +25,7 @@ constexpr std::size_t block = 32;                 // consecutive places: the mov
 class Measurement {
 public:
   Measurement(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings,
-              const ProgressCallback& progress, RemovalHeights& heights, RemovalFigures& figures)
+              const ProgressCallback& progress, RemovalHeights& heights, RemovalReport& figures)
   : reference_(reference), path_(path), sweep_(sweep), settings_(settings), progress_(progress), heights_(heights), figures_(figures),
     ball_(makeBall(reference, settings)), sampler_(reference, sweep, settings, figures.reach, ball_.get())
   {}
@@ -46,7 +46,7 @@ private:
                : nullptr;
   }
   void count(std::size_t i, const SampleResult& result);
-  void finish(StockFigures& figures, std::vector<float>& heights, const PlacedValue& max);
+  void finish(StockReport& figures, std::vector<float>& heights, const PlacedValue& max);
   std::vector<float> cutSteps() const;
   void measureEfficiency();
 
@@ -56,7 +56,7 @@ private:
   const RemovalSettings& settings_;
   const ProgressCallback& progress_;
   RemovalHeights& heights_;
-  RemovalFigures& figures_;
+  RemovalReport& figures_;
   std::unique_ptr<const BallReach> ball_;
   RemovalSampler sampler_;
   RemovalExtremes extremes_;
@@ -83,7 +83,7 @@ Measurement::count(std::size_t i, const SampleResult& result)
   if (result.ridge == result.ridge)
     ridge_.push_back(result.ridge);
   if (!result.met) {
-    StockFigures& figures = of(figures_.stock, figures_.rim, figures_.crease, figures_.unreached);
+    StockReport& figures = of(figures_.stock, figures_.rim, figures_.crease, figures_.unreached);
     if (figures.uncut++ == 0)
       figures.first_uncut = {result.stock, feet_[i].cast<double>(), result.move};
   }
@@ -189,7 +189,7 @@ Measurement::alongPath()
 }
 
 void
-Measurement::finish(StockFigures& figures, std::vector<float>& heights, const PlacedValue& max)
+Measurement::finish(StockReport& figures, std::vector<float>& heights, const PlacedValue& max)
 {
   figures.samples = heights.size();
   if (heights.empty())
@@ -280,11 +280,11 @@ check(const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& s
 
 Status
 measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep, const RemovalSettings& settings,
-                       const ProgressCallback& progress, RemovalHeights& heights, RemovalFigures& figures)
+                       const ProgressCallback& progress, RemovalHeights& heights, RemovalReport& figures)
 {
   const auto start = std::chrono::steady_clock::now();
   heights = RemovalHeights();
-  figures = RemovalFigures();
+  figures = RemovalReport();
   if (const Status status = check(path, sweep, settings); !status.ok())
     return status;
   describeReference(reference, settings.scallop_height, settings.chord_error, figures);

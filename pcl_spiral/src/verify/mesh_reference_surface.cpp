@@ -45,7 +45,7 @@ ReferenceSurface::ReferenceSurface(Surface::ConstPtr surface, ReferenceMesh::Con
 : scanned_(std::move(surface)), mesh_(std::move(mesh)), surface_(scanned_->graph(), 0, ProjectionMethod::RobustQuartic),
   warnings_(mesh_->warnings())
 {
-  const SurfaceCounts& counts = scanned_->counts();
+  const SurfaceReport& counts = scanned_->report();
   if (const std::size_t out = mesh_->samples()->size() - counts.used - counts.duplicate; out > 0)
     warnings_.push_back(
         Diagnostic(out, " of ", mesh_->samples()->size(), " samples of the mesh, ", mesh_->spacing(),

@@ -24,7 +24,7 @@ meansOf(const PointBlocks& points, const std::vector<double>& offsets)
   std::vector<double> means(points.size());
 #pragma omp parallel
   {
-    NeighbourSearch search(points, RawScanFigures::mean_of);
+    NeighbourSearch search(points, RawScanReport::mean_of);
 #pragma omp for schedule(dynamic, 16)
     for (std::int64_t b = 0; b < static_cast<std::int64_t>(points.blockCount()); ++b) {
       search.setRun(points.blockBox(static_cast<std::size_t>(b)));
@@ -49,7 +49,7 @@ raiseTo(PlacedValue& largest, double value, const Vector3d& place, std::size_t i
 
 } // namespace
 
-RawScanFigures
+RawScanReport
 compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw)
 {
   std::vector<Vector3d> queries;
@@ -61,7 +61,7 @@ compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw)
     }
   std::vector<SurfaceFoot> feet;
   smoothed.fit().project(queries, feet);
-  RawScanFigures f;
+  RawScanReport f;
   std::vector<Eigen::Vector3f> places;
   std::vector<std::size_t> kept;
   std::vector<double> offsets;
@@ -98,14 +98,14 @@ compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw)
 }
 
 Diagnostic
-smoothingText(const RawScanFigures& f, const std::string& name)
+smoothingText(const RawScanReport& f, const std::string& name)
 {
   if (f.points == 0)
     return Diagnostic("no point of the raw scan ", name, " has the smoothed surface near it: is it another part, or another unit?");
   Diagnostic text = Diagnostic("smoothing moved 1 % of the points of ", name, " by more than ", f.p99, " {mm}, the farthest by ",
                                f.largest.value, " {mm} at ", Place(f.largest.position));
   if (f.mean.value > f.leastMean())
-    text += Diagnostic("; the mean of ", RawScanFigures::mean_of, " neighbouring points by up to ", f.mean.value, " {mm} at ",
+    text += Diagnostic("; the mean of ", RawScanReport::mean_of, " neighbouring points by up to ", f.mean.value, " {mm} at ",
                        Place(f.mean.position), ", which is not noise: the shape was changed there; smooth with a smaller radius");
   if (f.beside > 0)
     text += Diagnostic("; ", f.beside, f.beside == 1 ? " point has" : " points have", " no smoothed surface near");

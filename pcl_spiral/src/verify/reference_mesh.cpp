@@ -185,7 +185,7 @@ ReferenceMesh::make(const SurfaceMesh::ConstPtr& mesh, const CutterPath& path, d
   result.reset();
   const auto made = std::make_shared<ReferenceMesh>();
   made->mesh_ = mesh;
-  if (mesh->counts().closed)
+  if (mesh->report().closed)
     if (const Status status = made->chooseFaces(path); !status.ok())
       return status;
   MeshSampling sampling;

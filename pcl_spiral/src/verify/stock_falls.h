@@ -18,7 +18,7 @@ namespace pcl_spiral {
 
 /** Lengths in mm. */
 struct StockFallSettings {
-  double reach = 1.0;    ///< height of the stock before the first move: RemovalFigures::reach
+  double reach = 1.0;    ///< height of the stock before the first move: RemovalReport::reach
   double shallow = 0.01; ///< where rays start below the surface, at least; see StockField
   double step = 0.02;    ///< a fall by less waits for the next one; the last one does not wait
 };

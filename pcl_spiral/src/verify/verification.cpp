@@ -29,7 +29,7 @@ nameOf(const Verification& verification)
 }
 
 double
-uncutPercent(const RemovalFigures& removal)
+uncutPercent(const RemovalReport& removal)
 {
   const std::size_t samples = removal.stock.samples + removal.rim.samples;
   const std::size_t uncut = removal.stock.uncut + removal.rim.uncut;
@@ -37,13 +37,13 @@ uncutPercent(const RemovalFigures& removal)
 }
 
 const PlacedValue&
-firstUncut(const RemovalFigures& removal)
+firstUncut(const RemovalReport& removal)
 {
   return removal.stock.uncut > 0 ? removal.stock.first_uncut : removal.rim.first_uncut;
 }
 
 const PlacedValue&
-highestScallop(const RemovalFigures& removal)
+highestScallop(const RemovalReport& removal)
 {
   return removal.scallop.samples > 0 ? removal.scallop.max : removal.stock.max;
 }

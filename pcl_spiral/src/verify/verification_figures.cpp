@@ -12,7 +12,7 @@ constexpr FigureStyle height{FigureUnit::Millimetre, ".4f", false}, both_ways{Fi
     share{FigureUnit::Share, ".3g", false}, ratio{FigureUnit::None, ".3f", false};
 
 void
-addReference(FigureTable& table, const DeviationFigures& d)
+addReference(FigureTable& table, const DeviationReport& d)
 {
   table.number("noise", d.noise, sigma);
   table.number("fit_noise", d.fit_noise, sigma);
@@ -21,7 +21,7 @@ addReference(FigureTable& table, const DeviationFigures& d)
 }
 
 void
-addContacts(FigureTable& table, const DeviationFigures& d, const Limits& limits)
+addContacts(FigureTable& table, const DeviationReport& d, const Limits& limits)
 {
   table.number("deviation/rms", d.rms, height).named("Deviation, rms");
   table.number("deviation/p99", d.p99, height).named("Deviation, amount: 99 % below");
@@ -51,7 +51,7 @@ addContacts(FigureTable& table, const DeviationFigures& d, const Limits& limits)
 }
 
 void
-addDeviation(FigureTable& table, const DeviationFigures& d, const Limits& limits)
+addDeviation(FigureTable& table, const DeviationReport& d, const Limits& limits)
 {
   table.count("deviation/points", d.points);
   table.count("deviation/measured", d.measured);
@@ -71,7 +71,7 @@ addDeviation(FigureTable& table, const DeviationFigures& d, const Limits& limits
 }
 
 void
-addStock(FigureTable& table, const std::string& key, const StockFigures& s)
+addStock(FigureTable& table, const std::string& key, const StockReport& s)
 {
   const bool any = s.samples > 0;
   table.count(key + "/samples", s.samples);
@@ -87,7 +87,7 @@ addStock(FigureTable& table, const std::string& key, const StockFigures& s)
 
 /** The stock in all bands. */
 void
-addBands(FigureTable& table, const RemovalFigures& r, const Limits& limits)
+addBands(FigureTable& table, const RemovalReport& r, const Limits& limits)
 {
   addStock(table, "material/scallop", r.scallop);
   table.at("material/scallop/p50").named("Scallop: ridge between passes, median");
@@ -113,7 +113,7 @@ addBands(FigureTable& table, const RemovalFigures& r, const Limits& limits)
 }
 
 void
-addGouges(FigureTable& table, const RemovalFigures& r, const Limits& limits)
+addGouges(FigureTable& table, const RemovalReport& r, const Limits& limits)
 {
   table.placed("material/crease_gouge", r.crease_gouge, height).knownIf(r.crease.samples > 0).named("Gouge there, deepest; no verdict");
   table.placed("material/gouge", r.gouge, height)
@@ -134,7 +134,7 @@ addGouges(FigureTable& table, const RemovalFigures& r, const Limits& limits)
 }
 
 void
-addMaterial(FigureTable& table, const RemovalFigures& r, const Limits& limits)
+addMaterial(FigureTable& table, const RemovalReport& r, const Limits& limits)
 {
   table.count("material/reference_points", r.reference_points);
   table.count("material/unmeasured", r.unmeasured);
@@ -170,9 +170,9 @@ addMotion(FigureTable& table, const PathMotion& m)
 
 /** Zero for a path that is no program. */
 void
-addProgram(FigureTable& table, const std::optional<ProgramFigures>& program)
+addProgram(FigureTable& table, const std::optional<ProgramFileReport>& program)
 {
-  const ProgramFigures p = program.value_or(ProgramFigures());
+  const ProgramFileReport p = program.value_or(ProgramFileReport());
   const auto count = [&](const char* key, std::size_t value, const char* name) {
     Figure& figure = table.count(key, value).knownIf(program.has_value()).named(name);
     if (!program)

@@ -16,7 +16,7 @@ constexpr double least_reach = 0.0002; ///< mm: scans and machines do not resolv
 
 /** A single large value must not make all other colours pale. */
 double
-colorReach(const DeviationFigures& figures)
+colorReach(const DeviationReport& figures)
 {
   const double wanted = std::max(least_reach, std::min(std::abs(figures.max.value), 2.0 * figures.p99));
   const double step = niceStep(0.1 * wanted);
@@ -25,7 +25,7 @@ colorReach(const DeviationFigures& figures)
 
 } // namespace
 
-DeviationScale::DeviationScale(const DeviationFigures& figures) : reach_(colorReach(figures)), colors_(divergingScale(reach_)) {}
+DeviationScale::DeviationScale(const DeviationReport& figures) : reach_(colorReach(figures)), colors_(divergingScale(reach_)) {}
 
 ValueStyle
 DeviationScale::style() const
@@ -46,7 +46,7 @@ DeviationScale::style() const
 std::vector<LegendEntry>
 DeviationScale::legend(const VerificationScene& scene, bool hidden) const
 {
-  const DeviationFigures& figures = scene.deviation_figures;
+  const DeviationReport& figures = scene.deviation_figures;
   std::vector<LegendEntry> legend{
       {formatted("largest of the judged points, %+.5f mm", figures.max.value) + (hidden ? ", hidden by the part" : ""), ink,
        Marker::Circle}};
@@ -75,7 +75,7 @@ DeviationScale::legend(const VerificationScene& scene, bool hidden) const
 Title
 deviationTitle(const VerificationScene& scene)
 {
-  const DeviationFigures& figures = scene.deviation_figures;
+  const DeviationReport& figures = scene.deviation_figures;
   return {scene.part.title + ": deviation of the path from the " + std::string(figures.by_mesh ? "mesh" : "scan"),
           formatted("99 %% within %.5f mm, rms %.5f mm; ", figures.p99, figures.rms) +
               formatted(figures.by_mesh ? "the surface of the mesh is known to %.2g mm" : "the surface of the scan is known to %.2g mm",

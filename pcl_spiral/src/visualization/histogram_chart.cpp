@@ -119,7 +119,7 @@ addLine(vtkRenderer* view, const Scale& scale, double height, const std::string&
 
 /** Returns the position of the next line. */
 int
-addWords(vtkRenderer* view, const PageSize& page, const Bins& bins, const StockFigures& figures, double limit)
+addWords(vtkRenderer* view, const PageSize& page, const Bins& bins, const StockReport& figures, double limit)
 {
   addLegend(view, page,
             {{formatted("up to the limit, %.3g mm", limit), within_color},
@@ -154,7 +154,7 @@ int
 addHistogram(vtkRenderer* view, const PageSize& page, const VerificationScene& scene)
 {
   const SpiralSettings& asked = scene.part.settings;
-  const RemovalFigures& figures = scene.removal_figures;
+  const RemovalReport& figures = scene.removal_figures;
   const Bins bins(scene.ridges, figures.limit);
   const Scale scale(page, bins);
   addBars(view, bins, scale);

@@ -95,7 +95,7 @@ WorstStock::legend(bool hidden) const
 }
 
 std::vector<WorstStock>
-worstStock(const RemovalFigures& figures)
+worstStock(const RemovalReport& figures)
 {
   std::vector<WorstStock> worst;
   if (figures.gouge.value > 0.0)

@@ -27,7 +27,7 @@ struct Title {
 /** Style of the deviations of a scene. */
 class DeviationScale {
 public:
-  explicit DeviationScale(const DeviationFigures& figures);
+  explicit DeviationScale(const DeviationReport& figures);
 
   vtkScalarsToColors* colors() const { return colors_; }
   ValueStyle style() const;
@@ -71,7 +71,7 @@ struct WorstStock {
 };
 
 /** The deepest gouge, and an uncut place or otherwise the highest ridge, if there are any. */
-std::vector<WorstStock> worstStock(const RemovalFigures& figures);
+std::vector<WorstStock> worstStock(const RemovalReport& figures);
 
 Title stockTitle(const VerificationScene& scene);
 

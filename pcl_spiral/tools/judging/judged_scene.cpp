@@ -14,7 +14,7 @@ namespace {
 /** The values of a planner's report that the pictures need, from the path and the surface of the scan. */
 SpiralReport
 reportOf(const pcl::PointCloud<ToolpathPoint>& path, const JudgeSettings& settings, const ReferenceSurface& surface,
-         const RemovalFigures& removal)
+         const RemovalReport& removal)
 {
   SpiralReport report;
   report.used_points = surface.graph().size();

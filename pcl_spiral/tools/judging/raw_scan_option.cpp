@@ -8,10 +8,10 @@
 
 using namespace pcl_spiral;
 
-RawScanFigures
+RawScanReport
 rawScanFigures(const std::string& file, const ReadOptions& read, const Surface& smoothed)
 {
-  RawScanFigures figures;
+  RawScanReport figures;
   if (const Status status = compareRawScan(*readCloud(file, readAsScan(read)).cloud, smoothed, figures); !status.ok())
     throw FileError(file, status.diagnostic());
   return figures;

@@ -11,5 +11,4 @@
 
 /** The raw scan \p file beside \p smoothed, read as the scan was read with \p read.
  *  \throw pcl_spiral::FileError as readCloud, and if most of its points are not near the smoothed surface */
-pcl_spiral::RawScanFigures rawScanFigures(const std::string& file, const pcl_spiral::ReadOptions& read,
-                                          const pcl_spiral::Surface& smoothed);
+pcl_spiral::RawScanReport rawScanFigures(const std::string& file, const pcl_spiral::ReadOptions& read, const pcl_spiral::Surface& smoothed);

@@ -18,7 +18,7 @@ printPasses(const PassJob& job, const PassResult& result, const std::vector<std:
   if (job.cutter.radius > 0.0)
     std::printf("locations       %zu, %zu of them added between others; largest error of a move %.3g mm\n", result.poseCount(),
                 result.bisection.inserted, result.bisection.largest_error);
-  const LocationFigures& f = result.locations;
+  const LocationReport& f = result.locations;
   if (f.retilted > 0)
     std::printf("axis            turned at %zu locations, by up to %.3g degrees\n", f.retilted, f.largest_retilt);
   if (f.collisions > 0)

@@ -96,7 +96,7 @@ plan(const Job& job)
   require(fileOf(job, planner.getPlan().fault), planner.getStatus());
   const Diagnostics reading = std::move(result.warnings);
   static_cast<PassPlan&>(result) = planner.getPlan();
-  static_cast<RidgeFigures&>(result) = planner.getPlan();
+  static_cast<RidgePlanReport&>(result) = planner.getPlan();
   const bool pictures = std::any_of(job.outputs.begin(), job.outputs.end(),
                                     [](const std::string& o) { return extensionOf(o) == ".png" || extensionOf(o) == ".html"; });
   if (pictures && !job.hasCutter())

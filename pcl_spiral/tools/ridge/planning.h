@@ -10,7 +10,7 @@
 #include <pcl_spiral/planning/ridge_plan.h>
 
 /** The result of a run. Without a cutter the mesh is of the ridge, and only for pictures. */
-struct Result : PassResult, pcl_spiral::RidgeFigures {};
+struct Result : PassResult, pcl_spiral::RidgePlanReport {};
 
 /** Reads or finds the lines, makes the rows, finds the cutter locations. \throw UsageError, pcl_spiral::FileError, Cancelled */
 Result plan(const Job& job);

@@ -126,6 +126,7 @@ constexpr std::pair<const char*, const char*> mesh_words[] = {
     {"if it is a real hole, the path still runs over it", "it is narrower than the holes asked for (--hole-size)"},
     {"scan it again", "close it in the mesh"},
     {"scan it again, more densely", "sample it more closely (--sample-spacing)"},
+    {"scan what is between them", "join them in the mesh"},
     {"scan more densely", "sample it more closely (--sample-spacing)"},
     {"is below the noise of the scan", "is below what local fits to the samples of the mesh leave"},
     {"standard deviation of a point", "standard deviation"},

@@ -53,7 +53,7 @@ judgeOne(const Job& job, const ScanSide& side, SpiralPlan& plan, Judged& judged)
   if (!status.ok())
     throw FileError(job.scan, Diagnostic("the path was made but could not be checked: ", status.diagnostic()));
   if (!settings.surface)
-    plan.report.passes += reference->scanned().counts().passes;
+    plan.report.passes += reference->scanned().report().passes;
   verification.broken = brokenLimits(job.limits, verification);
   verification.unproven = unprovenLimits(job.limits, verification);
   if (!verification.broken.empty())

@@ -121,7 +121,7 @@ rawScanWarnings(const Job& job, const SpiralPlan& plan)
 {
   if (job.raw_scan.empty())
     return {};
-  const RawScanFigures raw = rawScanFigures(job.raw_scan, job.read, *plan.surface);
+  const RawScanReport raw = rawScanFigures(job.raw_scan, job.read, *plan.surface);
   JudgeSettings settings;
   settings.cutter = CutterShape::ball(job.settings.tool_radius);
   const double allowed = job.limits.gouge.value_or(gougeTolerance(job.settings.chord_error, plan.report.noise));

@@ -41,7 +41,7 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
   const ReferenceSurface& surface = *part.reference;
   if (const ReferenceMesh* mesh = surface.mesh()) {
     const SurfaceMesh& faces = *input.settings.mesh;
-    mesh_ = JudgedMesh{faces.counts(), faces.settings(), mesh->faceCount(), mesh->spacing()};
+    mesh_ = JudgedMesh{faces.report(), faces.settings(), mesh->faceCount(), mesh->spacing()};
   }
   const bool report = writes(job_, ".html");
   if (report)
@@ -74,7 +74,7 @@ VerifyOutputs::take(const JudgedInput& input, const JudgedPart& part, const Judg
 CutScene
 VerifyOutputs::cutScene(const ReferenceSurface& surface, const JudgedPath& judged) const
 {
-  const RemovalFigures& removal = judged.verification.removal;
+  const RemovalReport& removal = judged.verification.removal;
   return {stockMesh(surface, judged.heights.stock), judged.path, removal.limit, leastGouge(job_.settings.chord_error, removal.fit_noise),
           scanShift()};
 }

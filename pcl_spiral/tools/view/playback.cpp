@@ -18,7 +18,7 @@ playbackScene(const ViewJob& job, const ReferenceSurface& reference, const Judge
   if (!filed.feed.empty() && filed.feed.front() > 0.0)
     scene.feed = filed.feed.front();
   if (filed.path.program) {
-    const ProgramFigures& figures = *judged.verification.program;
+    const ProgramFileReport& figures = *judged.verification.program;
     scene.lines = figures.lines;
     scene.control = filed.path.program->control.value_or(scene.control);
     scene.program = std::move(filed.path.program);

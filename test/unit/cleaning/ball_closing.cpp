@@ -112,7 +112,7 @@ TEST(BallClosing, IsTheLowestSurfaceThatTheBallTouches)
   }
   EXPECT_GT(looked_at, 10);
   EXPECT_LT(worst, 0.06); // a cell is 0.2 mm
-  EXPECT_GT(closing.getFigures().covered, 100u);
+  EXPECT_GT(closing.getReport().covered, 100u);
 }
 
 TEST(BallClosing, LeavesWhatTheBallReachesAsItIs)
@@ -124,8 +124,8 @@ TEST(BallClosing, LeavesWhatTheBallReachesAsItIs)
       EXPECT_LT(p.z, dome(p.x, p.y) + 1e-3);
       EXPECT_GT(p.z, dome(p.x, p.y) - sag);
     }
-  EXPECT_EQ(closing.getFigures().covered, 0u);
-  EXPECT_NEAR(closing.getFigures().spacing, spacing, 0.1);
+  EXPECT_EQ(closing.getReport().covered, 0u);
+  EXPECT_NEAR(closing.getReport().spacing, spacing, 0.1);
 }
 
 TEST(BallClosing, RestsInAGroove)
@@ -172,7 +172,7 @@ TEST(BallClosing, DoesNotDependOnOrderThreadsOrFrame)
   ASSERT_EQ(once.size(), other.size());
   for (std::size_t i = 0; i < once.size(); ++i)
     ASSERT_EQ(once[i].getVector3fMap(), other[i].getVector3fMap());
-  EXPECT_EQ(closing.getFigures().covered, again.getFigures().covered);
+  EXPECT_EQ(closing.getReport().covered, again.getReport().covered);
   // Turned by quarter turns about the view, which keep the frame of the grid, the points turn with it.
   BallClosing<pcl::PointXYZ> turned;
   const auto quarter = pcl::make_shared<Cloud>(*scan);
@@ -293,7 +293,7 @@ TEST(BallClosing, EndsWhereObstaclesKeepTheBallAway)
   // The ball comes down beside the edge, a radius from it, then along a flank of 75 degrees.
   const double end = -radius - (height - radius) / steepest_tangent;
   EXPECT_LT(most(beside), end + 1e-4);
-  EXPECT_GT(most(beside), end - 2.0 * closing.getFigures().cell);
+  EXPECT_GT(most(beside), end - 2.0 * closing.getReport().cell);
   for (const pcl::PointXYZ& p : beside)
     EXPECT_NEAR(p.z, 0.0, sag);
   EXPECT_NEAR(closing.getDropBall()->height(closing.getHeightGrid().inside({2, 0, 0}).x(), closing.getHeightGrid().inside({2, 0, 0}).y()),

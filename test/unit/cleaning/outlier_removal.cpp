@@ -207,14 +207,14 @@ TEST(OutlierRemoval, GroupsStayWhereAsked)
   const pcl::Indices without = kept(all, cloud);
   const auto isThing = [](auto i) { return static_cast<std::size_t>(i) >= honest + outliers; };
   EXPECT_EQ(std::count_if(without.begin(), without.end(), isThing), 0);
-  EXPECT_GE(all.getFigures().largest_group, together);
-  EXPECT_LT((all.getFigures().largest_group_place - Eigen::Vector3d(10, -5, 14)).norm(), 2.0);
-  EXPECT_EQ(all.getFigures().outliers, cloud->size() - without.size());
+  EXPECT_GE(all.getReport().largest_group, together);
+  EXPECT_LT((all.getReport().largest_group_place - Eigen::Vector3d(10, -5, 14)).norm(), 2.0);
+  EXPECT_EQ(all.getReport().outliers, cloud->size() - without.size());
   OutlierRemoval<pcl::PointXYZ> echoes;
   echoes.setLargestGroup(3);
   const pcl::Indices with = kept(echoes, cloud);
   EXPECT_EQ(std::count_if(with.begin(), with.end(), isThing), static_cast<std::ptrdiff_t>(together));
-  EXPECT_GE(echoes.getFigures().kept_outliers, together);
+  EXPECT_GE(echoes.getReport().kept_outliers, together);
   EXPECT_LT(with.size(), without.size() + together + 10);
 }
 

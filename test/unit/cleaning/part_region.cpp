@@ -151,7 +151,7 @@ TEST(PartRegion, CropsByBoxAndPolygon)
   EXPECT_GT(expected.size(), 50U);
   EXPECT_EQ(indices, expected);
   EXPECT_EQ(*region.getRemovedIndices(), removed);
-  EXPECT_EQ(region.getFigures().cropped, removed.size());
+  EXPECT_EQ(region.getReport().cropped, removed.size());
 }
 
 TEST(PartRegion, TheBallStaysOutOfKeepOuts)
@@ -182,8 +182,8 @@ TEST(PartRegion, TheBallStaysOutOfKeepOuts)
       }
       in += woundRound(ell, p) || woundRound(other, p);
     }
-    EXPECT_EQ(region.getFigures().kept_out, in);
-    EXPECT_EQ(region.getFigures().kept_out + region.getFigures().too_close + indices.size(), cap.points->size());
+    EXPECT_EQ(region.getReport().kept_out, in);
+    EXPECT_EQ(region.getReport().kept_out + region.getReport().too_close + indices.size(), cap.points->size());
   }
 }
 
@@ -263,7 +263,7 @@ TEST(PartRegion, AShankThatLeansAnyWayStaysClearOfAnObstacle)
   pcl::Indices kept;
   region.filter(kept);
   ASSERT_TRUE(region.getStatus().ok());
-  EXPECT_EQ(region.getFigures().too_close, cloud->size() - kept.size());
+  EXPECT_EQ(region.getReport().too_close, cloud->size() - kept.size());
   const auto clearance = [&](double x) { // of the shank that leans towards the obstacle by any angle up to the lean
     double least = 1e30;
     for (double angle = -lean; angle <= lean; angle += 0.5)

@@ -265,7 +265,7 @@ struct Removed : MaterialRemoval<PointT> {
   Values run()
   {
     this->compute(out);
-    return out.empty() ? Values() : Values{this->getFigures().area, this->getFigures().path_length};
+    return out.empty() ? Values() : Values{this->getReport().area, this->getReport().path_length};
   }
   pcl::PointCloud<pcl::PointXYZI> out;
 };
@@ -286,7 +286,7 @@ struct Leads : LeadCheck<PointT> {
     MachineProgram program;
     generator.compute(program);
     this->compute(program);
-    return this->getStatus().ok() ? Values{static_cast<double>(this->getFigures().moves)} : Values();
+    return this->getStatus().ok() ? Values{static_cast<double>(this->getReport().moves)} : Values();
   }
 };
 

@@ -159,10 +159,10 @@ TEST(ToolHolder, CollisionsAreFoundReportedAndTiltedAway)
   EXPECT_NEAR(found[0].collision.depth, 2.0, 0.05); // the chuck reaches 12, the wall is at 10
   EXPECT_NEAR(found[0].collision.place.x(), 10.0, 1e-6);
   EXPECT_FALSE(found[1].collision.found());
-  EXPECT_EQ(location.getFigures().collisions, 1u);
-  EXPECT_EQ(location.getFigures().most_collided, 0u);
+  EXPECT_EQ(location.getReport().collisions, 1u);
+  EXPECT_EQ(location.getReport().most_collided, 0u);
   bool said = false;
-  for (const pcl_spiral::Diagnostic& warning : location.getFigures().warnings)
+  for (const pcl_spiral::Diagnostic& warning : location.getReport().warnings)
     said = said || warning.text().find("chuck of location 0 at (10, ") != std::string::npos;
   EXPECT_TRUE(said);
 
@@ -178,7 +178,7 @@ TEST(ToolHolder, CollisionsAreFoundReportedAndTiltedAway)
   EXPECT_LT((found[0].tip + 3.0 * found[0].axis - Vector3d(0, 0, 3)).norm(),
             1e-3); // the ball does not move
   EXPECT_EQ(found[1].retilt, 0.0);
-  EXPECT_EQ(location.getFigures().retilted, 1u);
+  EXPECT_EQ(location.getReport().retilted, 1u);
 }
 
 TEST(ToolHolder, WhereNoTiltHelpsTheCutterIsLifted)

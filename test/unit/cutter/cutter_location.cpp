@@ -205,7 +205,7 @@ TEST(CutterLocation, NoPointOfTwentyFreeFormCloudsLiesInTheCutter)
       location.setEvaluation(evaluation);
       location.compute(run.locations);
       ASSERT_EQ(run.locations.size(), drive.size());
-      run.figures = location.getFigures();
+      run.figures = location.getReport();
       location.setLocationSurface(location.getLocationSurface());
       const CutterProfile cutter(shape);
       for (const ToolLocation& location : run.locations) {

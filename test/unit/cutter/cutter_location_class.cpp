@@ -152,7 +152,7 @@ TEST(CutterLocation, TakesAToolpathAndASurfaceMadeBefore)
   ToolLocations first, second;
   location.compute(first);
   ASSERT_EQ(first.size(), path.size());
-  EXPECT_EQ(location.getFigures().count(LocationState::Reached), path.size());
+  EXPECT_EQ(location.getReport().count(LocationState::Reached), path.size());
   location.setLocationSurface(location.getLocationSurface());
   location.compute(second);
   for (std::size_t i = 0; i < first.size(); ++i)

@@ -43,7 +43,7 @@ lines()
 
 struct Bisected {
   std::vector<ToolLocations> before, after;
-  BisectionFigures figures;
+  BisectionReport figures;
 };
 
 Bisected
@@ -136,7 +136,7 @@ TEST(LocationBisection, KeepsWhatItIsGivenAndEndsAtTheLimit)
   drive[5].position.x() = 500.0; // no cloud there
   ASSERT_TRUE(locator.locate(drive, {}, passes[0]).ok());
   const ToolLocations given = passes[0];
-  BisectionFigures figures;
+  BisectionReport figures;
   BisectionSettings settings;
   settings.tolerance = 1e-5;
   settings.most_halvings = 2;
@@ -159,7 +159,7 @@ TEST(LocationBisection, RefusesAndCancels)
   std::vector<ToolLocations> passes(1);
   ASSERT_TRUE(locator.locate(lines()[0], {}, passes[0]).ok());
   const std::size_t before = passes[0].size();
-  BisectionFigures figures;
+  BisectionReport figures;
   EXPECT_EQ(bisectLocations(locator, {0.0, 12}, {}, passes, figures).code(), StatusCode::InvalidArgument);
   EXPECT_EQ(bisectLocations(locator, {0.01, 0}, {}, passes, figures).code(), StatusCode::InvalidArgument);
   const auto stop = [](double, const std::string&) { return false; };

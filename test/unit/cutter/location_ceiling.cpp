@@ -210,7 +210,7 @@ TEST(LocationCeiling, InABoreTheCutterStandsAtTheNearWall)
           ASSERT_GT((d - 4.0 * axis).norm(), 4.0 - 0.02) << i;
       }
     }
-    EXPECT_EQ(location.getFigures().under_scan, drive.size());
+    EXPECT_EQ(location.getReport().under_scan, drive.size());
   }
   location.setCeiling(endless);
   ToolLocations found;
@@ -300,7 +300,7 @@ TEST(LocationCeiling, WhatIsAboveItAndInTheCutterIsFound)
   EXPECT_GT(cutter, 20u);
   EXPECT_GT(shank, 5u);
   EXPECT_GT(none, 50u);
-  EXPECT_EQ(location.getFigures().collisions, cutter + shank);
+  EXPECT_EQ(location.getReport().collisions, cutter + shank);
 }
 
 TEST(LocationCeiling, OneBelowTheCutterIsRefused)

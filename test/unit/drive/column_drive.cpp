@@ -224,7 +224,7 @@ TEST(ColumnDrive, HelixCoversTheWholeSurfaceWithoutAGouge)
   location.compute(passes);
   ASSERT_TRUE(location.getStatus().ok()) << location.getStatus().message();
   ASSERT_EQ(passes.size(), 1U);
-  EXPECT_EQ(location.getBisectionFigures().unresolved, 0U);
+  EXPECT_EQ(location.getBisectionReport().unresolved, 0U);
 
   // The ball's centre moves on a line from location to location: each place of the surface against the moves near it.
   std::vector<Vector3d> middles;

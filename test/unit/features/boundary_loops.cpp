@@ -347,7 +347,7 @@ TEST(BoundaryLoops, BoundaryPointsFromEstimations)
     ASSERT_EQ(loops.size(), own.loops.size());
     for (std::size_t i = 0; i < loops.size(); ++i)
       EXPECT_EQ(loops[i].curve, own.loops[i].curve);
-    EXPECT_EQ(boundary.getCounts().unmarked_loops, 0u);
+    EXPECT_EQ(boundary.getReport().unmarked_loops, 0u);
   }
   // If a user removes the marks round the smaller hole, at (25, 5), the hole is closed.
   Flags::Ptr fewer(new Flags(*combined));
@@ -358,7 +358,7 @@ TEST(BoundaryLoops, BoundaryPointsFromEstimations)
   boundary.compute(loops);
   ASSERT_EQ(loops.size(), 2u);
   EXPECT_EQ(loops[1].curve, own.loops[1].curve);
-  EXPECT_EQ(boundary.getCounts().unmarked_loops, 1u);
+  EXPECT_EQ(boundary.getReport().unmarked_loops, 1u);
   // Without the marks of the rim there is no outer loop.
   boundary.setBoundaryPoints(flagsWhere(*cloud, [](const auto& p) { return std::hypot(p.x + 20.0f, p.y) < 14.0f; }));
   boundary.compute(loops);
@@ -488,6 +488,18 @@ TEST(BoundaryLoops, RefusesWithAReason)
   for (int i = 0; i < 500; ++i)
     line.emplace_back(0.1 * i, 0.0, 0.0);
   EXPECT_FALSE(loopsOf(toCloud(line)).status.ok());
+}
+
+TEST(BoundaryLoops, SaysHowFarSeparatePartsAreApart)
+{
+  std::vector<Vector3d> plates; // with a stripe of 7 mm without points
+  for (int x = -40; x <= 47; ++x)
+    for (int y = -30; y <= 30; ++y)
+      if (x <= 0 || x >= 7)
+        plates.emplace_back(x, y, 0.0);
+  const Loops parts = loopsOf(toCloud(plates));
+  EXPECT_FALSE(parts.status.ok());
+  EXPECT_NE(parts.status.message().find("the largest is 7 mm from the next one, at (3.5, "), std::string::npos) << parts.status.message();
 }
 
 TEST(BoundaryLoops, RefusesARimOfFarSparserPoints)

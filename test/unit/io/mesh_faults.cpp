@@ -76,7 +76,7 @@ TEST(MeshFaults, AreCountedAsByAdmesh)
     writeStl(file, mesh);
     SurfaceMesh::ConstPtr surface;
     ASSERT_TRUE(SurfaceMesh::make(*readMesh(file).mesh, {}, surface).ok());
-    const MeshCounts& counts = surface->counts();
+    const MeshReport& counts = surface->report();
     const std::string theirs = outputOf("admesh --exact --normal-directions " + file);
     EXPECT_EQ(counts.without_area.count, numberBehind(theirs, "Degenerate facets")) << theirs;
     EXPECT_EQ(counts.turned.count, numberBehind(theirs, "Facets reversed")) << theirs;

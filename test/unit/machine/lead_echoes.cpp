@@ -84,7 +84,7 @@ checked(const Cloud& cloud, std::size_t echo = largest_echo, unsigned int thread
 }
 
 void
-expectSame(const LeadFigures& one, const LeadFigures& other)
+expectSame(const LeadReport& one, const LeadReport& other)
 {
   EXPECT_EQ(one.moves, other.moves);
   EXPECT_EQ(one.collided, other.collided);
@@ -98,14 +98,14 @@ expectSame(const LeadFigures& one, const LeadFigures& other)
 TEST(LeadEchoes, AnEchoStandsInNoOnesWayAClampDoes)
 {
   const Cloud floor = scannedFloor();
-  ASSERT_EQ(checked(floor).getFigures().collided, 0U);
+  ASSERT_EQ(checked(floor).getReport().collided, 0U);
   for (const int points : {1, 2, 3, 4, 30}) {
     const auto check = checked(joined(floor, block({0.0f, 0.0f, 5.0f}, points)));
-    EXPECT_GT(check.getFigures().collided, 0U) << points;
+    EXPECT_GT(check.getReport().collided, 0U) << points;
     if (points <= 3)
-      expectSame(check.getObstacleFigures(), checked(floor).getFigures());
+      expectSame(check.getObstacleReport(), checked(floor).getReport());
     else
-      expectSame(check.getObstacleFigures(), check.getFigures());
+      expectSame(check.getObstacleReport(), check.getReport());
   }
 }
 
@@ -113,21 +113,21 @@ TEST(LeadEchoes, WhatRemainsIsTheScanWithoutItsEchoes)
 {
   const Cloud clamped = joined(scannedFloor(), block({0.5f, 2.0f, 6.0f}, 30)), echo = block({-10.0f, 0.0f, 5.0f}, 1);
   const auto check = checked(joined(clamped, echo));
-  EXPECT_EQ(check.getFigures().deepest.place, Eigen::Vector3d(-10.0, 0.0, 5.0)) << "the echo is deeper in the tool";
-  expectSame(check.getObstacleFigures(), checked(clamped, 0).getFigures());
-  EXPECT_GT(check.getObstacleFigures().collided, 0U);
-  EXPECT_LT(check.getObstacleFigures().collided, check.getFigures().collided);
-  expectSame(check.getObstacleFigures(), checked(joined(echo, clamped), largest_echo, 1).getObstacleFigures());
+  EXPECT_EQ(check.getReport().deepest.place, Eigen::Vector3d(-10.0, 0.0, 5.0)) << "the echo is deeper in the tool";
+  expectSame(check.getObstacleReport(), checked(clamped, 0).getReport());
+  EXPECT_GT(check.getObstacleReport().collided, 0U);
+  EXPECT_LT(check.getObstacleReport().collided, check.getReport().collided);
+  expectSame(check.getObstacleReport(), checked(joined(echo, clamped), largest_echo, 1).getObstacleReport());
 }
 
 TEST(LeadEchoes, EveryPointIsAnObstacleUnlessAskedAndWithoutASurface)
 {
   const auto unasked = checked(joined(scannedFloor(), block({0.0f, 0.0f, 5.0f}, 1)), 0);
-  EXPECT_GT(unasked.getObstacleFigures().collided, 0U);
-  expectSame(unasked.getObstacleFigures(), unasked.getFigures());
+  EXPECT_GT(unasked.getObstacleReport().collided, 0U);
+  expectSame(unasked.getObstacleReport(), unasked.getReport());
   const auto alone = checked(block({0.0f, 0.0f, 5.0f}, 2));
-  EXPECT_GT(alone.getObstacleFigures().collided, 0U);
-  expectSame(alone.getObstacleFigures(), alone.getFigures());
+  EXPECT_GT(alone.getObstacleReport().collided, 0U);
+  expectSame(alone.getObstacleReport(), alone.getReport());
 }
 
 TEST(LeadEchoes, IndicesChooseTheScanAndTheRepeatedCheckCanBeCancelled)
@@ -146,12 +146,12 @@ TEST(LeadEchoes, IndicesChooseTheScanAndTheRepeatedCheckCanBeCancelled)
   check.setProgressCallback([&](double share, const std::string&) { return (begun += share == 0.0) < 3; });
   check.compute(program);
   EXPECT_EQ(begun, 2);
-  EXPECT_GT(check.getFigures().collided, 0U);
-  EXPECT_EQ(check.getObstacleFigures().collided, 0U);
+  EXPECT_GT(check.getReport().collided, 0U);
+  EXPECT_EQ(check.getObstacleReport().collided, 0U);
   begun = 1;
   check.compute(program);
   EXPECT_EQ(check.getStatus().code(), StatusCode::Cancelled);
-  EXPECT_EQ(check.getFigures().collided, 0U) << "nothing is known when cancelled";
+  EXPECT_EQ(check.getReport().collided, 0U) << "nothing is known when cancelled";
 }
 
 } // namespace lead_echoes_test

@@ -176,13 +176,13 @@ TEST(ToolMoves, LeadCheckFindsAPostInTheirWay)
     check.setCutter(CutterShape::ball(cutter_radius));
     check.compute(programOf(led));
     EXPECT_TRUE(check.getStatus().ok()) << check.getStatus().message();
-    return check.getFigures();
+    return check.getReport();
   };
   EXPECT_EQ(collisions().collided, 0U);
   const ToolPose& end = passes[1].back(); // 4 mm beside the axis, 20 mm above the tip: in the shank
   const Eigen::Vector3d post = end.tip + 22.0 * end.axis + 4.0 * end.axis.unitOrthogonal();
   cloud->push_back({static_cast<float>(post.x()), static_cast<float>(post.y()), static_cast<float>(post.z())});
-  const LeadFigures found = collisions();
+  const LeadReport found = collisions();
   EXPECT_GT(found.collided, 0U);
   EXPECT_LT((found.deepest.place - post).norm(), 1e-4);
   EXPECT_NEAR(found.deepest.depth, cutter_radius - 4.0, 0.01);

@@ -29,7 +29,7 @@ TEST(MeshSpiral, ContactsLieOnTheExactLandform)
   const auto samples = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>();
   sampling.compute(*samples);
   ASSERT_TRUE(sampling.getStatus().ok()) << sampling.getStatus().message();
-  EXPECT_EQ(findingsText(sampling.getSurfaceMesh()->counts()), "");
+  EXPECT_EQ(findingsText(sampling.getSurfaceMesh()->report()), "");
   const auto normals = pcl::make_shared<pcl::PointCloud<pcl::Normal>>();
   for (const pcl::PointNormal& sample : *samples)
     normals->emplace_back(sample.normal_x, sample.normal_y, sample.normal_z);
@@ -53,7 +53,7 @@ TEST(MeshSpiral, ContactsLieOnTheExactLandform)
 
 TEST(MeshSpiral, FindingsAreReportedInOneLine)
 {
-  MeshCounts counts;
+  MeshReport counts;
   counts.parts = 1;
   EXPECT_EQ(findingsText(counts), "");
   counts.turned.add({1.0, 2.5, 0.0});

@@ -50,11 +50,11 @@ TEST(SurfaceMesh, WeldsTheCornersOfAnStlFile)
   const TriangleMesh mesh = gridMesh(*landform(), {100, 100}, 20);
   const auto surface = made(unwelded(mesh));
   EXPECT_EQ(surface->vertexCount(), mesh.vertices.size());
-  EXPECT_EQ(surface->counts().welded.count, 3 * mesh.faces.size() - mesh.vertices.size());
-  EXPECT_EQ(surface->counts().open_edges.count, 80u);
-  EXPECT_EQ(surface->counts().loops, 1u);
-  EXPECT_EQ(surface->counts().parts, 1u);
-  EXPECT_FALSE(surface->counts().closed);
+  EXPECT_EQ(surface->report().welded.count, 3 * mesh.faces.size() - mesh.vertices.size());
+  EXPECT_EQ(surface->report().open_edges.count, 80u);
+  EXPECT_EQ(surface->report().loops, 1u);
+  EXPECT_EQ(surface->report().parts, 1u);
+  EXPECT_FALSE(surface->report().closed);
 }
 
 TEST(SurfaceMesh, CountsPlantedFaults)
@@ -70,7 +70,7 @@ TEST(SurfaceMesh, CountsPlantedFaults)
   mesh.vertices.push_back(0.5 * (mesh.vertices[mesh.faces[8][0]] + mesh.vertices[mesh.faces[8][1]]));
   mesh.faces.push_back({mesh.faces[8][0], mesh.faces[8][0], static_cast<std::uint32_t>(mesh.vertices.size() - 1)});
   const auto surface = made(mesh);
-  const MeshCounts& counts = surface->counts();
+  const MeshReport& counts = surface->report();
   EXPECT_EQ(counts.given_faces, faces + 4);
   EXPECT_EQ(counts.faces, faces);
   EXPECT_EQ(counts.turned.count, 2u);
@@ -89,9 +89,9 @@ TEST(SurfaceMesh, FindsCrowdedEdgesPartsAndLoops)
   mesh.vertices.push_back({5.5, 5.0, 3.0}); // a third face at the edge from (5, 5) to (6, 5)
   mesh.faces.push_back({5 * 11 + 5, 5 * 11 + 6, fin});
   const auto surface = made(mesh);
-  EXPECT_EQ(surface->counts().crowded_edges.count, 1u);
-  EXPECT_LT((surface->counts().crowded_edges.place - Vector3d(5.5, 5.0, 0.0)).norm(), 1e-6);
-  EXPECT_EQ(surface->counts().parts, 2u);
+  EXPECT_EQ(surface->report().crowded_edges.count, 1u);
+  EXPECT_LT((surface->report().crowded_edges.place - Vector3d(5.5, 5.0, 0.0)).norm(), 1e-6);
+  EXPECT_EQ(surface->report().parts, 2u);
   EXPECT_EQ(surface->faceCount(), mesh.faces.size());
 }
 
@@ -101,7 +101,7 @@ TEST(SurfaceMesh, TurnsAClosedMeshInsideOut)
   for (auto& f : mesh.faces)
     std::swap(f[1], f[2]);
   const auto surface = made(mesh);
-  EXPECT_TRUE(surface->counts().inside_out);
+  EXPECT_TRUE(surface->report().inside_out);
   for (std::size_t t = 0; t < surface->faceCount(); ++t)
     ASSERT_GT(surface->faceNormal(t).dot(surface->position(surface->triangles().triangle(t)[0])), 0.0);
   MeshSettings flipped;
@@ -117,8 +117,8 @@ TEST(SurfaceMesh, TurnsAMeshInsideOutWithAMissingFaceOrASliver)
   TriangleMesh sliver = missing;
   missing.faces.erase(missing.faces.begin() + 17);
   missing.faces.erase(missing.faces.begin() + 100);
-  EXPECT_TRUE(made(missing)->counts().inside_out);
-  EXPECT_FALSE(made(missing)->counts().closed);
+  EXPECT_TRUE(made(missing)->report().inside_out);
+  EXPECT_FALSE(made(missing)->report().closed);
   // One face becomes two, and a face without area joins the new corner to its edge.
   const auto whole = sliver.faces[40];
   const auto middle = static_cast<std::uint32_t>(sliver.vertices.size());
@@ -127,7 +127,7 @@ TEST(SurfaceMesh, TurnsAMeshInsideOutWithAMissingFaceOrASliver)
   sliver.faces.push_back({middle, whole[1], whole[2]});
   sliver.faces.push_back({whole[0], whole[1], middle});
   const auto surface = made(sliver);
-  EXPECT_TRUE(surface->counts().inside_out);
+  EXPECT_TRUE(surface->report().inside_out);
   for (std::size_t t = 0; t < surface->faceCount(); ++t)
     if (surface->faceArea(t) > 1e-3) // not the sliver
       ASSERT_GT(surface->faceNormal(t).dot(surface->position(surface->triangles().triangle(t)[0])), 0.0);
@@ -140,9 +140,9 @@ TEST(SurfaceMesh, LeavesTheSideOfAnOpenSheet)
     std::swap(f[1], f[2]);
   const auto isLow = [&](const auto& f) { return half.vertices[f[0]].z() + half.vertices[f[1]].z() + half.vertices[f[2]].z() < -20.0; };
   half.faces.erase(std::remove_if(half.faces.begin(), half.faces.end(), isLow), half.faces.end()); // a round pot, to be cut inside
-  EXPECT_FALSE(made(half)->counts().inside_out);
+  EXPECT_FALSE(made(half)->report().inside_out);
   outer.faces.erase(outer.faces.begin());
-  EXPECT_FALSE(made(outer)->counts().inside_out);
+  EXPECT_FALSE(made(outer)->report().inside_out);
 }
 
 TEST(SurfaceMesh, OfASphereIsRoundAndItsNormalsExact)
@@ -172,12 +172,12 @@ TEST(SurfaceMesh, OfASphereIsRoundAndItsNormalsExact)
 TEST(SurfaceMesh, OfACubeIsFlatAndOfACylinderRound)
 {
   const auto box = made(cube(20.0));
-  EXPECT_EQ(box->counts().creases.count, 12u);
-  EXPECT_NEAR(box->counts().crease_length, 240.0, 1e-4);
+  EXPECT_EQ(box->report().creases.count, 12u);
+  EXPECT_NEAR(box->report().crease_length, 240.0, 1e-4);
   for (std::size_t t = 0; t < box->faceCount(); ++t)
     ASSERT_EQ(box->sag(t), 0.0);
   const auto round = made(closedCylinder(20.0, 30.0, 64));
-  EXPECT_EQ(round->counts().creases.count, 128u);
+  EXPECT_EQ(round->report().creases.count, 128u);
   double worst = 0.0;
   for (std::size_t t = 0; t < round->faceCount(); ++t) {
     if (std::abs(round->faceNormal(t).z()) > 0.5)

@@ -76,7 +76,7 @@ uTurn(double radius)
 TEST(PathJudge, ParallelPassesLeaveTheHeightAskedFor)
 {
   const SurfacePtr part = square();
-  const JudgedFigures f = judgedPath(*part, part->outlines(), squarePasses(*part), settings());
+  const JudgedReport f = judgedPath(*part, part->outlines(), squarePasses(*part), settings());
   EXPECT_NEAR(f.inside.p99.value, heightAt(0.99 * 0.5 * pitch), 0.003);
   EXPECT_NEAR(f.inside.p999.value, heightAt(0.999 * 0.5 * pitch), 0.001);
   EXPECT_LE(f.inside.max.value, 1.0 + 1e-9);
@@ -92,7 +92,7 @@ TEST(PathJudge, ParallelPassesLeaveTheHeightAskedFor)
 TEST(PathJudge, AMissingPassIsFoundWhereItIs)
 {
   const SurfacePtr part = square();
-  const JudgedFigures f = judgedPath(*part, part->outlines(), squarePasses(*part, 13), settings());
+  const JudgedReport f = judgedPath(*part, part->outlines(), squarePasses(*part, 13), settings());
   EXPECT_NEAR(f.inside.max.value, heightAt(pitch), 0.01);
   EXPECT_NEAR(f.inside.max.at.x(), 3.0 * pitch, 0.02 * pitch);
   // Above 1.05 h: from x on to both sides of the missing pass, over a strip as long as the square.
@@ -108,7 +108,7 @@ TEST(PathJudge, WhatIsNotReachedIsUncut)
   for (int i = 0; i <= 12; ++i)
     us.push_back((i - 10) * pitch);
   const CheckedPath path = straightPasses(*part, us, 10.0 * pitch, pitch);
-  const JudgedFigures f = judgedPath(*part, part->outlines(), path, settings());
+  const JudgedReport f = judgedPath(*part, part->outlines(), path, settings());
   const double reach = std::sqrt(R * R - (R - 20.0 * h) * (R - 20.0 * h)); // higher than 20 h beyond it
   EXPECT_NEAR(f.whole.uncut_share, (8.0 * pitch - reach) / (20.0 * pitch), 0.01);
   EXPECT_GT(f.inside.uncut.at.x(), 2.0 * pitch + reach - 0.1);
@@ -126,7 +126,7 @@ TEST(PathJudge, AJumpCutsNothing)
       lifted.contacts.push_back(path.contacts[i]);
       lifted.normals.push_back(path.normals[i]);
     }
-  const JudgedFigures f = judgedPath(*part, part->outlines(), lifted, settings());
+  const JudgedReport f = judgedPath(*part, part->outlines(), lifted, settings());
   EXPECT_EQ(f.jumps.size(), 21u);
   EXPECT_EQ(f.passes(), 22u);
   const double reach = std::sqrt(R * R - (R - 20.0 * h) * (R - 20.0 * h)); // from 4 pitches in, less between passes
@@ -143,7 +143,7 @@ TEST(PathJudge, CirclesOnADiscAreTheLeastLengthButForTheirJoins)
     radii.push_back(k * pitch);
   radii.push_back(1e-3);
   const CheckedPath path = circularPasses(*disc, radii, [](double r) { return 100 + static_cast<int>(60.0 * r); });
-  const JudgedFigures f = judgedPath(*disc, disc->outlines(), path, settings());
+  const JudgedReport f = judgedPath(*disc, disc->outlines(), path, settings());
   EXPECT_NEAR(f.least, pi * pitch * n * (n + 1), 1e-3 * f.least);
   EXPECT_NEAR(f.lengthRatio(), 1.0 + 1.0 / (pi * (n + 1)), 1e-3);
   EXPECT_NEAR(f.trueRatio(), f.lengthRatio(), 1e-9);
@@ -157,7 +157,7 @@ TEST(PathJudge, APathBeyondTheOutlineIsReported)
 {
   const SurfacePtr half = flat(Region({rectangle(10.0 * pitch, 20.0 * pitch)}));
   const SurfacePtr part = square();
-  const JudgedFigures f = judgedPath(*half, half->outlines(), squarePasses(*part), settings());
+  const JudgedReport f = judgedPath(*half, half->outlines(), squarePasses(*part), settings());
   EXPECT_NEAR(f.outside_share, 10.0 / 21.0, 0.03); // the passes over 5.5 pitches from the middle
   EXPECT_NEAR(f.outside.value, 5.0 * pitch, 1e-6);
 }
@@ -200,7 +200,7 @@ TEST(PathJudge, AGapIsMachinedOrGoneRound)
   const SurfacePtr part = square();
   JudgeSettings s = settings();
   s.gap = circle({0.0, 0.0}, 7.0);
-  const JudgedFigures over = judgedPath(*part, part->outlines(), squarePasses(*part), s);
+  const JudgedReport over = judgedPath(*part, part->outlines(), squarePasses(*part), s);
   EXPECT_TRUE(over.over_gap);
   EXPECT_NEAR(over.least, 400.0 * pitch + 40.0 * pitch, 1.0);
   EXPECT_NEAR(over.lengthRatio(), over.trueRatio(), 1e-9);
@@ -211,7 +211,7 @@ TEST(PathJudge, AGapIsMachinedOrGoneRound)
   for (int k = 20; k >= 10; --k)
     radii.push_back(k * pitch);
   const CheckedPath rings = circularPasses(*disc, radii, [](double r) { return 100 + static_cast<int>(60.0 * r); });
-  const JudgedFigures round = judgedPath(*disc, disc->outlines(), rings, s);
+  const JudgedReport round = judgedPath(*disc, disc->outlines(), rings, s);
   EXPECT_FALSE(round.over_gap);
   EXPECT_EQ(round.rims_missed, 1u); // no loop is given for it
   EXPECT_NEAR(round.least, 330.0 * pi * pitch, 0.5);
@@ -222,7 +222,7 @@ TEST(PathJudge, AGapIsMachinedOrGoneRound)
 TEST(PathMotion, TurningRadiiAreThoseOfTheCircles)
 {
   for (const double r : {0.25, 0.5, 2.0}) {
-    const TurningFigures f = turningRadii(uTurn(r * pitch), pitch);
+    const TurningReport f = turningRadii(uTurn(r * pitch), pitch);
     EXPECT_NEAR(f.least.value, r, 0.01 * r);
     EXPECT_GE(f.smallest.value, f.least.value);
     EXPECT_GT(f.least.at.x(), 0.0);
@@ -235,7 +235,7 @@ TEST(PathMotion, TurningRadiiAreThoseOfTheCircles)
 
 TEST(PathMotion, ReversalsAreUTurnsWithinTwoPitches)
 {
-  const ReversalFigures sharp = reversals(uTurn(0.5 * pitch), pitch);
+  const ReversalReport sharp = reversals(uTurn(0.5 * pitch), pitch);
   EXPECT_EQ(sharp.count, 1u);
   EXPECT_GT(sharp.share, 0.0);
   EXPECT_EQ(reversals(uTurn(2.0 * pitch), pitch).count, 0u);

@@ -123,7 +123,7 @@ TEST(MoveTree, TheIntervalIsWhereTheSegmentIsWithinTheRadius)
 TEST(RemovedMaterial, PeakOnThePlaneIsExact)
 {
   const SurfacePtr surface = plane();
-  const RemovalFigures f = removedMaterial(*surface, planePasses(*surface), settings());
+  const RemovalReport f = removedMaterial(*surface, planePasses(*surface), settings());
   EXPECT_NEAR(f.ridge.max.value / h, 1.0, 0.001);
   EXPECT_LE(f.ridge.max.value, h + 1e-9);
   EXPECT_NEAR(f.ridge.p50 / h, 1.0, 0.005);
@@ -141,7 +141,7 @@ TEST(RemovedMaterial, PeakOnTheCylinderIsExact)
     std::vector<double> us;
     for (int i = -8; i <= 8; ++i)
       us.push_back(radius * std::sin(i * angle));
-    const RemovalFigures f = removedMaterial(*surface, straightPasses(*surface, us, 25.0, 5.0), settings());
+    const RemovalReport f = removedMaterial(*surface, straightPasses(*surface, us, 25.0, 5.0), settings());
     EXPECT_NEAR(f.ridge.max.value / h, 1.0, 0.002) << radius;
     EXPECT_NEAR(f.ridge.p50 / h, 1.0, 0.005) << radius;
     // Straight moves link the passes across the cylinder: their chords cut in.
@@ -159,7 +159,7 @@ TEST(RemovedMaterial, PeakOnTheSphereIsExactOutsideAndInside)
     for (double a = 0.25 * angle; a < std::asin(33.0 / radius); a += angle)
       radii.push_back(radius * std::sin(a));
     const CheckedPath path = circularPasses(*surface, radii, [](double r) { return 24 + static_cast<int>(25.0 * r); });
-    const RemovalFigures f = removedMaterial(*surface, path, settings());
+    const RemovalReport f = removedMaterial(*surface, path, settings());
     EXPECT_NEAR(f.ridge.max.value / h, 1.0, 0.005) << convex;
     EXPECT_NEAR(f.ridge.p50 / h, 1.0, 0.005) << convex;
     const double chord = (radius + R) * (1.0 - std::cos(0.5 * angle)); // of the links between circles
@@ -181,7 +181,7 @@ TEST(RemovedMaterial, ChordsAddTheirSagittaWhereTheFeedIsConcaveAndGougeWhereCon
       const double sine = r / radius, centre = (convex ? radius + R : radius - R) * sine;
       return std::max(24, static_cast<int>(std::lround(M_PI / std::acos(std::max(0.0, 1.0 - e / (centre * sine))))));
     });
-    const RemovalFigures f = removedMaterial(*surface, path, settings());
+    const RemovalReport f = removedMaterial(*surface, path, settings());
     if (convex)
       EXPECT_NEAR(f.gouge.value, e, 0.02 * e);
     else
@@ -192,7 +192,7 @@ TEST(RemovedMaterial, ChordsAddTheirSagittaWhereTheFeedIsConcaveAndGougeWhereCon
 TEST(RemovedMaterial, AMissingPassIsFound)
 {
   const SurfacePtr surface = plane();
-  const RemovalFigures f = removedMaterial(*surface, planePasses(*surface, 5), settings());
+  const RemovalReport f = removedMaterial(*surface, planePasses(*surface, 5), settings());
   const double step = exactStepOver(R, h, 0.0);
   EXPECT_NEAR(f.ridge.max.value, R - std::sqrt(R * R - step * step), 1e-3 * h);
   EXPECT_NEAR(f.ridge.max.at.x(), 5.0 * step, 0.01);
@@ -215,7 +215,7 @@ TEST(RemovedMaterial, AFewMicrometresOfGougeAreFound)
   for (std::size_t k = 4; k-- > 0;)
     path.contacts.insert(path.contacts.begin() + static_cast<std::ptrdiff_t>(at),
                          place + along[k] * feed - depth[k] * Eigen::Vector3d::UnitZ());
-  const RemovalFigures f = removedMaterial(*surface, path, settings(1000));
+  const RemovalReport f = removedMaterial(*surface, path, settings(1000));
   EXPECT_NEAR(f.gouge.value, 0.005, 1e-6);
   EXPECT_LT((f.gouge.at - place).norm(), 0.51);
 }
@@ -226,7 +226,7 @@ TEST(RemovedMaterial, OnePointOffIsFoundBySurfaceAndByStock)
   CheckedPath path = planePasses(*surface);
   const std::size_t at = nearest(path, {-8.0, 4.0, 0.0});
   path.contacts[at].z() += 0.02;
-  const PathFigures p = checkPath(*surface, path, 1.0);
+  const ToolpathReport p = checkPath(*surface, path, 1.0);
   EXPECT_NEAR(p.deviation.value, 0.02, 1e-9);
   EXPECT_EQ(p.deviation.index, at);
   // Where balls at (0, R + 0.02) and (step, R) meet.
@@ -239,7 +239,7 @@ TEST(RemovedMaterial, OnePointOffIsFoundBySurfaceAndByStock)
     (raised < flat_one ? lo : hi) = y;
   }
   const double peak = R + 0.02 - std::sqrt(R * R - lo * lo);
-  const RemovalFigures f = removedMaterial(*surface, path, settings(1000));
+  const RemovalReport f = removedMaterial(*surface, path, settings(1000));
   EXPECT_NEAR(f.ridge.max.value / peak, 1.0, 0.005);
   EXPECT_LT((f.ridge.max.at - path.contacts[at]).norm(), step);
 }
@@ -250,10 +250,10 @@ TEST(RemovedMaterial, ATiltedNormalIsFound)
   CheckedPath path = planePasses(*surface);
   const std::size_t at = nearest(path, {0.0, -12.0, 0.0});
   path.normals[at] = Eigen::Vector3d(std::sin(5 * degree), 0.0, std::cos(5 * degree));
-  const PathFigures p = checkPath(*surface, path, 1.0);
+  const ToolpathReport p = checkPath(*surface, path, 1.0);
   EXPECT_NEAR(p.normal_error.value, 5.0, 1e-6);
   EXPECT_EQ(p.normal_error.index, at);
-  const RemovalFigures f = removedMaterial(*surface, path, settings(1000));
+  const RemovalReport f = removedMaterial(*surface, path, settings(1000));
   EXPECT_NEAR(f.gouge.value, R * (1.0 - std::cos(5 * degree)), 1e-6);
   EXPECT_LT((f.gouge.at - path.contacts[at]).norm(), 1.0);
 }
@@ -267,7 +267,7 @@ TEST(RemovedMaterial, AnUncutPatchIsCounted)
       path.contacts.push_back(all.contacts[i]);
       path.normals.push_back(all.normals[i]);
     }
-  const RemovalFigures f = removedMaterial(*surface, path, settings());
+  const RemovalReport f = removedMaterial(*surface, path, settings());
   // From half the plane the ball reaches sqrt(2 R 20 h) beyond the last pass.
   const double last = -exactStepOver(R, h, 0.0), limit = 20 * h;
   const double reach = last + std::sqrt(2 * R * limit - limit * limit);
@@ -281,7 +281,7 @@ TEST(PathChecks, CrossingsGapsAndTurnsAreFound)
   EXPECT_TRUE(crossings(*surface, path).empty());
   const std::size_t at = nearest(path, {5.0, 5.0, 0.0});
   path.contacts[at].x() += 3.0; // over the next pass and back: crosses it twice
-  const PathFigures p = checkPath(*surface, path, 1.0);
+  const ToolpathReport p = checkPath(*surface, path, 1.0);
   EXPECT_EQ(p.crossings, 2u);
   EXPECT_LT((p.crossing.at - path.contacts[at]).norm(), 4.0);
   EXPECT_NEAR(p.gap.value, std::sqrt(4.0 + 9.0), 1e-9);
@@ -296,7 +296,7 @@ TEST(PathChecks, TheRimThatThePathMissesIsMeasured)
   for (const Eigen::Vector2d& u : {Eigen::Vector2d(-50, -50), Eigen::Vector2d(50, -50), Eigen::Vector2d(50, 47), Eigen::Vector2d(47, 50),
                                    Eigen::Vector2d(-52, 50), Eigen::Vector2d(-50, -50)})
     builder.add(u, 0.0);
-  const PathFigures p = checkPath(*surface, builder.path(), 1.0);
+  const ToolpathReport p = checkPath(*surface, builder.path(), 1.0);
   EXPECT_NEAR(p.rim_missed.value, 1.5 * std::sqrt(2.0), 1e-9); // the missing corner
   EXPECT_NEAR(p.beyond_rim.value, 2.0, 1e-9);
 }

@@ -124,7 +124,7 @@ judgeCurved(const RidgeSurface& surface)
   SurfaceMesh::ConstPtr curved;
   const Status status = ridgeMesh(surface, chord_error, curved);
   ASSERT_TRUE(status.ok()) << status.message();
-  const MeshCounts& counts = curved->counts();
+  const MeshReport& counts = curved->report();
   EXPECT_EQ(counts.faces, mesh.faces.size());
   EXPECT_EQ(counts.parts, 1u);
   EXPECT_EQ(counts.creases.count + counts.turned.count + counts.welded.count, 0u);

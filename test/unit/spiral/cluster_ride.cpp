@@ -333,7 +333,7 @@ TEST_P(ClusterRide, IsJudgedByWhatItMustRideOver)
   pcl::PointCloud<pcl::PointXYZI> stock;
   removal.compute(stock);
   ASSERT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
-  const RemovalFigures& r = removal.getFigures();
+  const RemovalReport& r = removal.getReport();
   std::printf("  gouge %.4f, scallop p99 %.4f max %.4f, uncut %zu, under things %zu up to %.3f\n", r.gouge.value, r.scallop.p99,
               r.scallop.max.value, r.stock.uncut + r.rim.uncut, r.unreached.samples, r.unreached.max.value);
   EXPECT_LT(r.gouge.value, 0.02);

@@ -86,7 +86,7 @@ TEST(ConstantScallop, CoversAPartWithTwoHolesInOnePath)
   std::vector<Polyline> curves;
   for (const BoundaryLoop& loop : generator.getReport().loops)
     curves.push_back(loop.curve);
-  const JudgedFigures figures = judgedPath(*part, curves, checked(path), settings);
+  const JudgedReport figures = judgedPath(*part, curves, checked(path), settings);
   EXPECT_EQ(figures.rims_missed, 0u);
   EXPECT_TRUE(figures.crossings.empty());
   EXPECT_EQ(figures.passes(), 1u);

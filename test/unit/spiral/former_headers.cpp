@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Documented headers at their former paths: each forwards to its present path.
 #include <pcl_spiral/cleaning/stray_removal.h>
+#include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/spiral_turns.h>
 #include <pcl_spiral/surface/stray_removal.h>
 #include <pcl_spiral/toolpath/cutter_location.h>
@@ -10,6 +11,8 @@
 #include <pcl_spiral/toolpath/tool_axis.h>
 
 #include <gtest/gtest.h>
+
+#include <type_traits>
 
 using namespace pcl_spiral;
 
@@ -26,4 +29,16 @@ TEST(FormerHeaders, BringTheirClasses)
   EXPECT_GT(sizeof(RadialLines<Point>), 0U);
   EXPECT_GT(sizeof(ToolAxis), 0U);
   EXPECT_GT(sizeof(SpiralTurns), 0U);
+}
+
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
+TEST(FormerNames, ReportsHaveThem)
+{
+  static_assert(std::is_same_v<SurfaceCounts, SurfaceReport> && std::is_same_v<PathFigures, ToolpathReport> &&
+                std::is_same_v<PathCounts, SpiralPathReport>);
+  OutlierRemoval<pcl::PointXYZ> removal;
+  EXPECT_EQ(&removal.getFigures(), &removal.getReport());
+  BoundaryLoops<pcl::PointXYZ> boundary;
+  EXPECT_EQ(&boundary.getCounts(), &boundary.getReport());
 }

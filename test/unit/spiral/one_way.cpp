@@ -100,7 +100,7 @@ senseOf(const AnalyticSurface& part, const Path& path, const std::vector<std::si
   return sense;
 }
 
-JudgedFigures
+JudgedReport
 judged(const AnalyticSurface& part, const Made& made, double tool_radius = 5.0, double scallop_height = 0.1)
 {
   JudgeSettings settings;
@@ -141,7 +141,7 @@ TEST_F(OneWay, NothingIsCutAgainstTheSenseAndNoMoreIsLeft)
     EXPECT_TRUE(two_way.report.pass_begins.empty());
     EXPECT_FALSE(one_way.report.pass_begins.empty());
     EXPECT_LT(one_way.report.path_length, 1.03 * two_way.report.path_length);
-    const JudgedFigures f = judged(*part, one_way), g = judged(*part, two_way);
+    const JudgedReport f = judged(*part, one_way), g = judged(*part, two_way);
     EXPECT_TRUE(f.crossings.empty());
     EXPECT_TRUE(f.jumps.empty());
     EXPECT_EQ(f.inside.uncut_share, 0.0);
@@ -159,7 +159,7 @@ TEST_F(OneWay, PassesMovedFarUncoverNothing)
     settings.tool_radius = 4.0;
     settings.scallop_height = 0.07;
     settings.sense = sense;
-    const JudgedFigures f = judged(*part, made(*part, settings, 6500), 4.0, 0.07);
+    const JudgedReport f = judged(*part, made(*part, settings, 6500), 4.0, 0.07);
     EXPECT_LT(f.inside.max.value, 1.25);
     EXPECT_LT(f.inside.over_share, 2e-3);
     std::printf("  largest ridge %.3f h, %.3f %% over 1.05 h\n", f.inside.max.value, 100.0 * f.inside.over_share);
@@ -240,8 +240,8 @@ TEST_F(OneWay, TheJudgeTakesNoLiftForACut)
   pcl::PointCloud<pcl::PointXYZI> heights;
   removal.compute(heights);
   ASSERT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
-  EXPECT_NEAR(removal.getFigures().path_length, one_way.report.path_length, 0.1);
-  EXPECT_EQ(removal.getFigures().stock.uncut, 0u);
+  EXPECT_NEAR(removal.getReport().path_length, one_way.report.path_length, 0.1);
+  EXPECT_EQ(removal.getReport().stock.uncut, 0u);
   CutterPath cut;
   ASSERT_TRUE(readCutterPath(path, cut).ok());
   EXPECT_LT(pathMotion(cut).gap.value, 5.3);

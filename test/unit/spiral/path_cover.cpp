@@ -105,7 +105,7 @@ TEST_P(PathCover, LeavesNoNodeFartherThanItSays)
   const auto [outline, one_way] = GetParam();
   Linked made = linked(outline, one_way);
   const Farthest before = farthest(made, covered + rounding);
-  CoverFigures figures;
+  CoverReport figures;
   ASSERT_TRUE(coverPath(made.field, made.held, {}, made.path, figures));
   EXPECT_GT(before.places, 0U) << "the part has nothing to move the path for";
   EXPECT_GE(figures.places, before.places) << "places between nodes count too";
@@ -123,7 +123,7 @@ TEST_P(PathCover, GoesToPlacesThatALoopLeftOutUncovers)
   const auto [outline, one_way] = GetParam();
   Linked made = linked(outline, one_way, 1);
   const Farthest before = farthest(made, most);
-  CoverFigures figures;
+  CoverReport figures;
   ASSERT_TRUE(coverPath(made.field, made.held, {}, made.path, figures));
   const Farthest after = farthest(made, most);
   EXPECT_GT(before.distance, 1.0);
@@ -136,7 +136,7 @@ TEST_P(PathCover, DoesNotMoveTheHeldPass)
   const auto [outline, one_way] = GetParam();
   Linked made = linked(outline, one_way);
   const LinkedPath before = made.path;
-  CoverFigures figures;
+  CoverReport figures;
   ASSERT_TRUE(coverPath(made.field, made.held, {}, made.path, figures));
   double way = 0.0;
   for (std::size_t i = 1; i < made.path.points.size() && way < made.held - 0.1; ++i) {

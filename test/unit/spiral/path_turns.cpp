@@ -80,7 +80,7 @@ ballOfFive(SpiralMethod method = SpiralMethod::Radial)
 
 TEST(PathTurns, EvenTurnsAreOnePitchApart)
 {
-  PathFigures figures;
+  ToolpathReport figures;
   measureTurns(spiral(12.0, 400, [](double turn) { return 1.5 * turn; }), ballOfFive(), figures);
   EXPECT_NEAR(figures.closest.distance, 1.5, 0.01); // the normal of the spiral leans a little from the radius
   EXPECT_EQ(figures.reversals.count, 0u);
@@ -96,7 +96,7 @@ TEST(PathTurns, ThePlaceWhereTurnsBunchIsFound)
   std::vector<ClosestTurns> found;
   for (const int threads : {1, 4}) {
     const ThreadLimit limit(threads);
-    PathFigures figures;
+    ToolpathReport figures;
     measureTurns(path, ballOfFive(), figures);
     found.push_back(figures.closest);
   }
@@ -116,7 +116,7 @@ TEST(PathTurns, OneWalkFindsTheClosestTurnsAndTheFirstCrossing)
     for (int k = 0; k < trial % 4; ++k)
       path.contacts[any(random)] += Vector3d(0.9, 0.4, 0.1); // some turns are crossed, some not
     const auto crossing = firstSelfCrossing(path.contacts, path.normals, ballOfFive().chord_error);
-    PathFigures figures;
+    ToolpathReport figures;
     std::optional<std::size_t> found;
     measureTurns(path, ballOfFive(), {}, figures, found);
     EXPECT_EQ(found, crossing) << trial;
@@ -132,7 +132,7 @@ TEST(PathTurns, AReversalIsRefusedWithPlaceAngleCountAndRemedy)
   spike(4400);
   spike(400);  // in the first turn
   spike(6100); // in the last, elsewhere along it
-  PathFigures figures;
+  ToolpathReport figures;
   measureTurns(path, ballOfFive(), figures);
   EXPECT_EQ(figures.reversals.count, 2u);
   EXPECT_GT(figures.reversals.angle, 150.0);
@@ -224,7 +224,7 @@ TEST(PathTurns, ReversalsAtCornersOfTheOutlineAreAllowed)
     const double t = 2.0 * pi * turn;
     return 1.5 * turn / (std::abs(std::cos(t)) + std::abs(std::sin(t)) / 0.15);
   });
-  PathFigures figures;
+  ToolpathReport figures;
   measureTurns(path, ballOfFive(), figures);
   EXPECT_GE(figures.reversals.count, 11u);
   EXPECT_EQ(figures.reversals.at_corners, figures.reversals.count);

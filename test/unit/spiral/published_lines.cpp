@@ -60,7 +60,7 @@ const Scan* OnDome::scan_ = nullptr;
 TEST_F(OnDome, LinesAreMeridiansInOrder)
 {
   RadialLineSet set;
-  PublishedLineFigures figures;
+  PublishedLineReport figures;
   const Vector3d pole(0, 0, 100);
   const PublishedLineRequest request{scan_->surface, scan_->loops[0], nullptr, pole, Vector3d(200, 0, 0), chord_error, {}};
   const Status status = publishedLines(request, set, figures);
@@ -101,7 +101,7 @@ TEST_F(OnDome, SameBytesForAnyThreads)
   const int before = omp_get_max_threads();
   for (const int threads : {1, 2}) {
     omp_set_num_threads(threads);
-    PublishedLineFigures figures;
+    PublishedLineReport figures;
     ASSERT_TRUE(publishedLines(request, sets[threads - 1], figures).ok());
   }
   omp_set_num_threads(before);
@@ -118,7 +118,7 @@ TEST_F(OnDome, CanBeCancelled)
   PublishedLineRequest request{scan_->surface, scan_->loops[0], nullptr, Vector3d(0, 0, 100), {}, chord_error, {}};
   request.progress = [](double) { return false; };
   RadialLineSet set;
-  PublishedLineFigures figures;
+  PublishedLineReport figures;
   EXPECT_EQ(publishedLines(request, set, figures).code(), StatusCode::Cancelled);
 }
 
@@ -128,7 +128,7 @@ TEST(PublishedLines, BetweenTwoBoundaries)
   const Scan scan(test::evenPoints(*exact, 1.5, 10.0, 5));
   ASSERT_EQ(scan.loops.size(), 2u);
   RadialLineSet set;
-  PublishedLineFigures figures;
+  PublishedLineReport figures;
   const Status status = publishedLines({scan.surface, scan.loops[0], &scan.loops[1], {}, {}, chord_error, {}}, set, figures);
   ASSERT_TRUE(status.ok()) << status.message();
   const Eigen::Vector2d hole(40, 25);
@@ -159,7 +159,7 @@ TEST(PublishedLines, SayWhereALineLeavesTheSurface)
     low = low.cwiseMin(p);
   const Vector3d centre = scan.surface.project(Vector3d(low.x() + 150.0, low.y() + 45.0, scan.graph.position(0).z())).position;
   RadialLineSet set;
-  PublishedLineFigures figures;
+  PublishedLineReport figures;
   const Status status = publishedLines({scan.surface, scan.loops[0], nullptr, centre, {}, chord_error, {}}, set, figures);
   EXPECT_EQ(status.code(), StatusCode::Failed);
   for (const char* word : {"leaves the surface at (", "outline is re-entrant"})
@@ -176,7 +176,7 @@ TEST(PublishedLines, SayWhereTheGraphFallsApart)
   const SurfaceGraph both = test::graphOf(points);
   const MlsSurface surface(both, 0, ProjectionMethod::DirectionalCentroid);
   RadialLineSet set;
-  PublishedLineFigures figures;
+  PublishedLineReport figures;
   const Status status = publishedLines({surface, one.loops[0], nullptr, Vector3d(200, 0, 0), {}, chord_error, {}}, set, figures);
   EXPECT_EQ(status.code(), StatusCode::Failed);
   EXPECT_NE(status.message().find("no way over the edges of the elliptic Gabriel graph leads from (200, 0, 0)"), std::string::npos)

@@ -42,7 +42,7 @@ double
 expectSoundPath(const test::AnalyticSurface& exact, const SurfaceGraph& graph, const SpiralSettings& settings,
                 const PublishedResult& result)
 {
-  const PublishedFigures& figures = result.figures;
+  const PublishedReport& figures = result.figures;
   const std::size_t n = result.contacts.size();
   EXPECT_EQ(result.normals.size(), n);
   EXPECT_EQ(result.axes.size(), n);

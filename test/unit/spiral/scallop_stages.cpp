@@ -73,7 +73,7 @@ struct ByHand {
   StepOverDistance::ConstPtr field;
   ScallopLoopSet loops;
   LinkedPath linked;
-  ScallopFigures figures;
+  ScallopReport figures;
   SpiralPath path;
 };
 
@@ -123,16 +123,16 @@ composed(const Cloud::ConstPtr& cloud, const SpiralSettings& s)
   linking.setNumberOfThreads(s.threads);
   linking.compute(by_hand.linked);
   expectDone(linking);
-  by_hand.figures = linking.getFigures();
+  by_hand.figures = linking.getReport();
 
   SpiralTurns turns;
   EXPECT_TRUE(samplePath(by_hand.linked, *by_hand.surface, s, turns).ok());
-  GapFigures gaps;
+  GapReport gaps;
   EXPECT_TRUE(putOnSurface(turns, *by_hand.surface, s, {}, by_hand.path, gaps).ok());
-  AxisFigures axes;
+  AxisReport axes;
   pcl_spiral::Diagnostics warnings;
   EXPECT_TRUE(setToolAxes(s, by_hand.path, axes, warnings).ok());
-  PathFigures figures;
+  ToolpathReport figures;
   EXPECT_TRUE(checkPath(by_hand.path, s, turns.largest_allowed_step, {}, figures).ok());
   return by_hand;
 }
@@ -213,14 +213,14 @@ TEST_F(ScallopStages, WhatIsNotGivenIsMadeByTheSameRules)
   expectDone(linking);
   linking.setInputField(by_hand.field);
   linking.compute(of_field);
-  EXPECT_EQ(linking.getFigures().fingers, by_hand.loops.axes.size());
+  EXPECT_EQ(linking.getReport().fingers, by_hand.loops.axes.size());
   linking.setInputLoops(by_hand.loops.loops);
   linking.compute(of_loops);
   for (const LinkedPath* path : {&of_cloud, &of_surface, &of_field, &of_loops})
     EXPECT_EQ(path->points, by_hand.linked.points);
   linking.setInputCloud(part("disc")); // loops and field are dropped
   linking.compute(of_cloud);
-  EXPECT_EQ(linking.getFigures().bridges, 0u);
+  EXPECT_EQ(linking.getReport().bridges, 0u);
 }
 
 TEST_F(ScallopStages, LoopsAloneAreLinked)
@@ -232,7 +232,7 @@ TEST_F(ScallopStages, LoopsAloneAreLinked)
   linking.compute(path);
   expectDone(linking);
   EXPECT_NEAR(length(path.points), length(by_hand.linked.points), 0.01 * length(path.points));
-  EXPECT_EQ(linking.getFigures().least_length, 0.0);
+  EXPECT_EQ(linking.getReport().least_length, 0.0);
 }
 
 TEST_F(ScallopStages, ClosedLoopsAreAToolpath)

@@ -102,12 +102,12 @@ composed(const Cloud::ConstPtr& cloud, const SpiralSettings& s)
   SpiralTurns turns;
   const double area = surfaceArea(by_hand.surface->graph());
   EXPECT_TRUE(makeTurns(by_hand.lines, by_hand.surface->spacing(), area, s, turns).ok());
-  GapFigures gaps;
+  GapReport gaps;
   EXPECT_TRUE(putOnSurface(turns.curve, *by_hand.surface, s, turns.largest_allowed_step, {}, by_hand.path, gaps).ok());
-  AxisFigures axes;
+  AxisReport axes;
   pcl_spiral::Diagnostics warnings;
   EXPECT_TRUE(setToolAxes(s, by_hand.path, axes, warnings).ok());
-  PathFigures figures;
+  ToolpathReport figures;
   EXPECT_TRUE(checkPath(by_hand.path, s, turns.largest_allowed_step, {}, figures).ok());
   return by_hand;
 }

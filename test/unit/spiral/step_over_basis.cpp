@@ -134,9 +134,9 @@ TEST_F(StepOverBasisTest, WhatAFailedStageLeftIsRefused)
   std::vector<SpiralPoint> curve;
   double longest = 0.0;
   SpiralPath path;
-  GapFigures gaps;
-  AxisFigures axes;
-  PathFigures figures;
+  GapReport gaps;
+  AxisReport axes;
+  ToolpathReport figures;
   pcl_spiral::Diagnostics warnings;
   for (const Status& status : {linkLoops({}, linked), samplePath(linked, *surface_, settings, curve, longest),
                                putOnSurface(curve, *surface_, settings, 1.0, {}, path, gaps), setToolAxes(settings, path, axes, warnings),

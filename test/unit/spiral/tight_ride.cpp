@@ -202,14 +202,14 @@ TEST_P(TightRide, IsJudgedRight)
   pcl::PointCloud<pcl::PointXYZI> stock;
   removal.compute(stock);
   ASSERT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
-  const RemovalFigures& r = removal.getFigures();
+  const RemovalReport& r = removal.getReport();
   DeviationEstimation<pcl::PointXYZ> deviation;
   deviation.setInputCloud(cloud);
   deviation.setInputToolpath(made.path);
   pcl::PointCloud<pcl::PointXYZI> deviations;
   deviation.compute(deviations);
   ASSERT_TRUE(deviation.getStatus().ok()) << deviation.getStatus().message();
-  const DeviationFigures& d = deviation.getFigures();
+  const DeviationReport& d = deviation.getReport();
   std::printf("  gouge %.4f, unreached %zu samples up to %.4f, scallop p99 %.4f max %.4f, rim %.4f, deviation max %.4f, lifted %zu\n",
               r.gouge.value, r.unreached.samples, r.unreached.max.value, r.scallop.p99, r.scallop.max.value, r.rim.max.value, d.max.value,
               d.lifted);

@@ -124,7 +124,7 @@ TEST(SurfacePreparation, CountsEveryPointAndKeepsItsIndex)
   Normals normals;
   preparation.compute(out, normals);
   ASSERT_TRUE(preparation.getStatus().ok()) << preparation.getStatus().message();
-  const SurfaceCounts& counts = preparation.getCounts();
+  const SurfaceReport& counts = preparation.getReport();
   EXPECT_EQ(counts.input, 6043u);
   EXPECT_EQ(counts.nonfinite, 2u);
   EXPECT_EQ(counts.duplicate, 40u);

@@ -45,7 +45,7 @@ wayOf(const CheckedPath& contacts, const CutterShape& cutter, double lean)
   return way;
 }
 
-pcl_spiral::RemovalFigures
+pcl_spiral::RemovalReport
 measured(const AnalyticSurface& surface, const CutterWay& way, const CutterShape& cutter, std::size_t points,
          pcl::PointCloud<pcl::PointXYZI>& stock, int threads = 0)
 {
@@ -62,7 +62,7 @@ measured(const AnalyticSurface& surface, const CutterWay& way, const CutterShape
   removal.setNumberOfThreads(threads);
   removal.compute(stock);
   EXPECT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
-  return removal.getFigures();
+  return removal.getReport();
 }
 
 std::vector<CutterShape>

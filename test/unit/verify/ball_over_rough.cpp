@@ -30,7 +30,7 @@ touching(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, double arc_len
   return point;
 }
 
-RemovalFigures
+RemovalReport
 removed(const pcl::PolygonMesh::ConstPtr& mesh, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path)
 {
   pcl::PointCloud<pcl::PointXYZI> output;
@@ -42,7 +42,7 @@ removed(const pcl::PolygonMesh::ConstPtr& mesh, const pcl::PointCloud<ToolpathPo
   judge.setScallopHeight(0.05);
   judge.compute(output);
   EXPECT_TRUE(judge.getStatus().ok()) << judge.getStatus().message();
-  return judge.getFigures();
+  return judge.getReport();
 }
 
 } // namespace
@@ -57,7 +57,7 @@ TEST(BallOverRough, ARippleNarrowerThanTheBallIsGougedByItsOwnHeightAlone)
   double nearest = R;
   for (double x = 0.0; x < 8.0; x += 1e-4)
     nearest = std::min(nearest, std::hypot(x, R - height - ripple(x, 0.0)));
-  const RemovalFigures figures = removed(heightMesh(ripple, 60.0, 60).made(), path);
+  const RemovalReport figures = removed(heightMesh(ripple, 60.0, 60).made(), path);
   EXPECT_NEAR(figures.gouge.value, R - nearest, 0.005); // 0.052 mm; only from the fit in the hollow 2.3 mm
 }
 

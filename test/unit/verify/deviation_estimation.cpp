@@ -38,7 +38,7 @@ passes(const AnalyticSurface& surface)
 
 struct Measured {
   pcl::PointCloud<pcl::PointXYZI> points;
-  DeviationFigures figures;
+  DeviationReport figures;
   Status status;
 };
 
@@ -52,7 +52,7 @@ measured(const Sampled& scan, const CheckedPath& path, double chord_error = 0.00
   deviation.setNumberOfThreads(threads);
   Measured result;
   deviation.compute(result.points);
-  result.figures = deviation.getFigures();
+  result.figures = deviation.getReport();
   result.status = deviation.getStatus();
   return result;
 }

@@ -70,7 +70,7 @@ rows(Height height, double half, double step)
   return path;
 }
 
-RemovalFigures
+RemovalReport
 removed(const pcl::PolygonMesh::ConstPtr& mesh, const Path::ConstPtr& path)
 {
   pcl::PointCloud<pcl::PointXYZI> output;
@@ -82,7 +82,7 @@ removed(const pcl::PolygonMesh::ConstPtr& mesh, const Path::ConstPtr& path)
   judge.setScallopHeight(0.02);
   judge.compute(output);
   EXPECT_TRUE(judge.getStatus().ok()) << judge.getStatus().message();
-  return judge.getFigures();
+  return judge.getReport();
 }
 
 } // namespace
@@ -90,10 +90,10 @@ removed(const pcl::PolygonMesh::ConstPtr& mesh, const Path::ConstPtr& path)
 TEST(FaceGouges, ExactPathsOverFilletsHaveNoGougeIntoFaces)
 {
   const double sagitta = fillet * (1.0 - std::cos(5.0 * M_PI / 180.0));
-  const RemovalFigures f = removed(troughMesh(), rows(trough, 26.0, 0.8));
+  const RemovalReport f = removed(troughMesh(), rows(trough, 26.0, 0.8));
   EXPECT_NEAR(f.face_depth.value, sagitta, 0.2 * sagitta); // of hollow facets, the ball reaches into the middle
   EXPECT_LT(f.face_gouge.value, 0.002);
-  const RemovalFigures wavy = removed(heightMesh(hills, 60.0, 40).made(), rows(hills, 24.0, 0.8));
+  const RemovalReport wavy = removed(heightMesh(hills, 60.0, 40).made(), rows(hills, 24.0, 0.8));
   EXPECT_GT(wavy.face_depth.value, 0.01);
   EXPECT_LT(wavy.face_gouge.value, 0.002);
 }
@@ -105,7 +105,7 @@ TEST(FaceGouges, ACutIntoAFlatFaceIsAGougeIntoFaces)
     for (ToolpathPoint& p : *path)
       if (std::abs(p.x) < 20.0) // as faces that are curved by mistake
         p.z -= static_cast<float>(depth * (1.0 - p.x * p.x / 400.0));
-    const RemovalFigures f = removed(troughMesh(), path);
+    const RemovalReport f = removed(troughMesh(), path);
     EXPECT_NEAR(f.face_depth.value, depth, 0.01);
     EXPECT_GT(f.face_gouge.value, 0.9 * depth);
     EXPECT_LT(f.face_gouge.value, depth + 0.001);

@@ -50,14 +50,14 @@ checkOf(const Tool& tool)
   return check;
 }
 
-LeadFigures
+LeadReport
 figures(const Cloud& cloud, const Tool& tool, const std::vector<ToolPoses>& passes)
 {
   Check check = checkOf(tool);
   check.setInputCloud(pcl::make_shared<Cloud>(cloud));
   check.compute(passes);
   EXPECT_TRUE(check.getStatus().ok()) << check.getStatus().message();
-  return check.getFigures();
+  return check.getReport();
 }
 
 /** An upright tool over the floor z = 0, along y. */
@@ -132,7 +132,7 @@ TEST(HolderCheck, AWallBesideThePathIsMetAsDeepAsItStands)
   const std::vector<ToolPoses> passes{alongTheWall()};
   const Tool thin{CutterShape::ball(3.0, 5.0), {ToolSegment::cylinder(3.0, 10.0, "shank"), {4.0, 9.0, 20.0, "chuck"}}};
   for (const double wall : {3.5, 6.0, 8.99, 9.02}) {
-    const LeadFigures found = figures(floorAndWall(static_cast<float>(wall)), thin, passes);
+    const LeadReport found = figures(floorAndWall(static_cast<float>(wall)), thin, passes);
     const double slant = std::hypot(20.0, 5.0) / 20.0; // the chuck is a cone: its top is met, the way out is square to its flank
     EXPECT_EQ(found.moves, 40U);
     EXPECT_EQ(found.collided > 0, wall < 9.0 - 0.01) << wall;
@@ -157,7 +157,7 @@ TEST(HolderCheck, TheShankEndsAtTheHolderAndWithoutOneNowhere)
   const std::vector<ToolPoses> passes{alongTheWall()};
   const Tool neck{CutterShape::ball(3.0, 5.0), {ToolSegment::cylinder(2.0, 60.0, "neck")}};
   const Cloud wall = floorAndWall(2.6f);
-  const LeadFigures found = figures(wall, neck, passes);
+  const LeadReport found = figures(wall, neck, passes);
   EXPECT_EQ(found.deepest.part, ToolPart::Shank);
   EXPECT_NEAR(found.deepest.depth, 0.4, 1e-5);
   EXPECT_LE(found.deepest.place.z(), 8.0 + 1e-5);
@@ -186,7 +186,7 @@ TEST(HolderCheck, AMoveDoesNotJumpOverAPost)
   ToolPoses far = alongTheWall(1);
   far[0].tip.y() = -100.0;
   far[1].tip.y() = 100.0;
-  const LeadFigures found = figures(post, tool, {far});
+  const LeadReport found = figures(post, tool, {far});
   EXPECT_EQ(found.collided, 1U);
   EXPECT_NEAR(found.deepest.tip.y(), 0.0, 5.0) << "a chord of the chuck";
   EXPECT_EQ(figures(post, {tool.cutter, {ToolSegment::cylinder(8.9, 30.0, "chuck")}}, {far}).collided, 0U);
@@ -209,7 +209,7 @@ TEST(HolderCheck, FindsWhatDenseSamplesFind)
     for (int i = 0; i < 3; ++i)
       cloud.push_back({static_cast<float>(45.0 * unit(random)), static_cast<float>(45.0 * unit(random)),
                        static_cast<float>(20.0 + 24.0 * unit(random))});
-    const LeadFigures found = figures(cloud, tool, passes);
+    const LeadReport found = figures(cloud, tool, passes);
     std::size_t surely = 0, perhaps = 0, moves = 0;
     double deepest = 0.0;
     for (const ToolPoses& pass : passes)
@@ -244,13 +244,13 @@ TEST(HolderCheck, TheSameMovedInAnotherOrderAndOnAnyNumberOfThreads)
   for (int i = 0; i < 40; ++i)
     cloud.push_back(
         {static_cast<float>(60.0 * unit(random)), static_cast<float>(60.0 * unit(random)), static_cast<float>(25.0 + 30.0 * unit(random))});
-  const LeadFigures found = figures(cloud, tool, passes);
+  const LeadReport found = figures(cloud, tool, passes);
   ASSERT_GT(found.collided, 20U);
   ASSERT_LT(found.collided, found.moves - 20U);
   tool.threads = 1;
   Cloud other = cloud;
   std::shuffle(other.begin(), other.end(), random);
-  const LeadFigures again = figures(other, tool, passes);
+  const LeadReport again = figures(other, tool, passes);
   EXPECT_EQ(again.collided, found.collided);
   EXPECT_EQ(again.deepest.depth, found.deepest.depth);
   EXPECT_EQ(again.deepest.block, found.deepest.block);
@@ -268,7 +268,7 @@ TEST(HolderCheck, TheSameMovedInAnotherOrderAndOnAnyNumberOfThreads)
       const Vector3d place = turn * p.getVector3fMap().cast<double>() + shift;
       there.push_back({static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(place.z())});
     }
-    const LeadFigures same = figures(there, tool, moved);
+    const LeadReport same = figures(there, tool, moved);
     EXPECT_NEAR(same.deepest.depth, found.deepest.depth, 1e-4);
     EXPECT_EQ(same.deepest.block, found.deepest.block);
     EXPECT_NEAR(static_cast<double>(same.collided), static_cast<double>(found.collided), 1.0) << "one at the tolerance may change";
@@ -326,7 +326,7 @@ TEST(HolderCheck, ABlendedAxisIsLookedAtAsTheMachineTurnsIt)
         check.setInputCloud(pcl::make_shared<Cloud>(cloud));
         check.compute(programs[k]);
         ASSERT_TRUE(check.getStatus().ok()) << check.getStatus().message();
-        const LeadFigures& found = check.getFigures();
+        const LeadReport& found = check.getReport();
         if (std::abs(brute[k] - tolerance) > 0.05) {
           EXPECT_EQ(found.collided > 0, brute[k] > tolerance) << machine.name << " beside " << beside << ": " << brute[k];
         }
@@ -355,7 +355,7 @@ TEST(HolderCheck, AMeshIsLookedAtBetweenItsVertices)
     check.setInputMesh(mesh.surface());
     check.compute(passes);
     ASSERT_TRUE(check.getStatus().ok()) << check.getStatus().message();
-    const LeadFigures& found = check.getFigures();
+    const LeadReport& found = check.getReport();
     EXPECT_EQ(found.collided, wall < 10.0 ? 40U : 0U);
     if (wall > 10.0)
       continue;
@@ -380,8 +380,8 @@ TEST(HolderCheck, SinglePointsInTheAirAreNoObstacles)
     check.setInputCloud(pcl::make_shared<Cloud>(cloud));
     check.setLargestEcho(largest_echo);
     check.compute({alongTheWall()});
-    EXPECT_EQ(check.getFigures().collided > 0, points > 0);
-    EXPECT_EQ(check.getObstacleFigures().collided > 0, points > 3);
+    EXPECT_EQ(check.getReport().collided > 0, points > 0);
+    EXPECT_EQ(check.getObstacleReport().collided > 0, points > 3);
   }
 }
 
@@ -393,7 +393,7 @@ TEST(HolderCheck, RefusesWhatCannotBe)
     spoil(check);
     check.compute(passes);
     EXPECT_FALSE(check.getStatus().ok());
-    EXPECT_EQ(check.getFigures().moves, 0U);
+    EXPECT_EQ(check.getReport().moves, 0U);
     return check.getStatus().message();
   };
   const auto expectHas = [](const std::string& text, const char* part) { EXPECT_NE(text.find(part), std::string::npos) << text; };

@@ -37,7 +37,7 @@ made(const Machine& machine, const std::vector<ToolPoses>& passes, const Program
   return program;
 }
 
-LeadFigures
+LeadReport
 figures(const Cloud::ConstPtr& cloud, const CutterShape& cutter, const MachineProgram& program, double tolerance,
         const std::vector<ToolSegment>& holder = {}, int threads = 0)
 {
@@ -49,7 +49,7 @@ figures(const Cloud::ConstPtr& cloud, const CutterShape& cutter, const MachinePr
   check.setNumberOfThreads(threads);
   check.compute(program);
   EXPECT_TRUE(check.getStatus().ok()) << check.getStatus().message();
-  return check.getFigures();
+  return check.getReport();
 }
 
 /** Depth of the deepest point, on the move to \p block, in the cutter minus \p inset or in the shank above it, along the
@@ -123,7 +123,7 @@ TEST(LeadCheck, AnArcAsWideAsTheRoomBeforeAWallIsFree)
       settings.lead = LeadKind::Arc;
       settings.lead_length = lead;
       const MachineProgram program = made(machine, {overTheFloor()}, settings);
-      const LeadFigures found = figures(floorAndWall(static_cast<float>(ball + lead + room)), CutterShape::ball(ball), program, tolerance);
+      const LeadReport found = figures(floorAndWall(static_cast<float>(ball + lead + room)), CutterShape::ball(ball), program, tolerance);
       EXPECT_EQ(found.collided > 0, room < 0.0) << lead << " and " << room;
       if (room > 0.0)
         continue;
@@ -144,7 +144,7 @@ TEST(LeadCheck, AHolderMeetsTheWallThatTheCutterPasses)
   const auto cloud = floorAndWall(6.0f);
   EXPECT_EQ(figures(cloud, cutter, program, 0.01).collided, 0U);
   EXPECT_EQ(figures(cloud, cutter, program, 0.01, {ToolSegment::cylinder(5.9, 30.0, "chuck")}).collided, 0U);
-  const LeadFigures found =
+  const LeadReport found =
       figures(cloud, cutter, program, 0.01, {ToolSegment::cylinder(3.0, 4.0, "shank"), ToolSegment::cylinder(6.5, 30.0, "chuck")});
   EXPECT_GT(found.collided, 0U);
   EXPECT_EQ(found.deepest.segment, 1);
@@ -163,7 +163,7 @@ TEST(LeadCheck, AHolderDoesNotJumpOverALedge)
   const MachineProgram program = made(testMachines().front(), {overTheFloor()}, settings);
   const CutterShape cutter = CutterShape::ball(4.0, 16.0);
   EXPECT_EQ(figures(cloud, cutter, program, 0.02).collided, 0U);
-  const LeadFigures found = figures(cloud, cutter, program, 0.02, {ToolSegment::cylinder(15.0, 10.0, "nut")});
+  const LeadReport found = figures(cloud, cutter, program, 0.02, {ToolSegment::cylinder(15.0, 10.0, "nut")});
   EXPECT_GT(found.collided, 0U);
   EXPECT_EQ(found.deepest.part, ToolPart::Holder);
   EXPECT_NEAR(found.deepest.depth, 5.0, 0.06) << "15 less 10, or half of the nut's length";
@@ -198,7 +198,7 @@ TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
         for (int i = 0; i < 12; ++i)
           cloud->push_back({static_cast<float>(40.0 * unit(random)), static_cast<float>(40.0 * unit(random)),
                             static_cast<float>(high ? 90.0 + 70.0 * unit(random) : 12.0 + 14.0 * unit(random))});
-        const LeadFigures found = figures(cloud, cutter, program, tolerance, segments);
+        const LeadReport found = figures(cloud, cutter, program, tolerance, segments);
         std::size_t moves = 0, surely = 0, perhaps = 0;
         double deepest = 0.0;
         for (std::size_t i = 1; i < program.blocks.size(); ++i) {
@@ -219,7 +219,7 @@ TEST(LeadCheck, FindsWhatDenseSamplesOfTheMachineFind)
         EXPECT_LE(found.deepest.depth, deepest + 0.3) << machine.name;
         hits += surely > 0;
         free += perhaps == 0;
-        const LeadFigures one = figures(cloud, cutter, program, tolerance, segments, 1);
+        const LeadReport one = figures(cloud, cutter, program, tolerance, segments, 1);
         EXPECT_EQ(one.collided, found.collided);
         EXPECT_EQ(one.deepest.depth, found.deepest.depth);
         EXPECT_EQ(one.deepest.block, found.deepest.block);
@@ -266,7 +266,7 @@ TEST(LeadCheck, APostBetweenTwoPassesIsMet)
     ASSERT_GT(between, 0U);
     const float x = -5.0f; // half the length of a pass: the way goes from the end of one to the beginning of the other
     EXPECT_EQ(figures(post(x, 40.0f, static_cast<float>(lowest) - 2.0f), cutter, program, 0.05).collided, 0U) << machine.name;
-    const LeadFigures met = figures(post(x, 40.0f, static_cast<float>(lowest) + 9.0f), cutter, program, 0.05);
+    const LeadReport met = figures(post(x, 40.0f, static_cast<float>(lowest) + 9.0f), cutter, program, 0.05);
     EXPECT_EQ(met.collided, 1U) << machine.name;
     EXPECT_EQ(met.deepest.block, between);
     EXPECT_EQ(met.deepest.section, BlockSection::Position);
@@ -297,7 +297,7 @@ TEST(LeadCheck, APostInTheSwingOfTheUnwindingToolIsMet)
     const Eigen::Vector3d place = swung.tip + 60.0 * swung.axis;
     Cloud::Ptr clamp(new Cloud);
     clamp->push_back({static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(place.z())});
-    const LeadFigures met = figures(clamp, CutterShape::ball(4.0), program, 0.1);
+    const LeadReport met = figures(clamp, CutterShape::ball(4.0), program, 0.1);
     EXPECT_GE(met.collided, 1U) << machine.name;
     EXPECT_EQ(met.deepest.section, BlockSection::Unwind);
     EXPECT_EQ(met.moves, program.blocks.size() - 1);
@@ -314,7 +314,7 @@ TEST(LeadCheck, RefusesWhatCannotBe)
     spoil(check);
     check.compute(program);
     EXPECT_FALSE(check.getStatus().ok());
-    EXPECT_EQ(check.getFigures().moves, 0U);
+    EXPECT_EQ(check.getReport().moves, 0U);
     return check.getStatus().message();
   };
   using Check = LeadCheck<pcl::PointXYZ>;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double R = 10.0, h = 0.05, degree = 0.017453292519943295;
 
-pcl_spiral::RemovalFigures
+pcl_spiral::RemovalReport
 measured(const AnalyticSurface& surface, const CheckedPath& path, std::size_t points, double chord_error = 0.0)
 {
   MaterialRemoval<pcl::PointXYZ> removal;
@@ -34,7 +34,7 @@ measured(const AnalyticSurface& surface, const CheckedPath& path, std::size_t po
   removal.compute(stock);
   EXPECT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
   EXPECT_EQ(stock.size(), points);
-  return removal.getFigures();
+  return removal.getReport();
 }
 
 SurfacePtr
@@ -125,7 +125,7 @@ TEST(MaterialRemoval, ASpiralOnADiscLeavesWhatItShouldAtItsBestLength)
   removal.setScallopHeight(small);
   pcl::PointCloud<pcl::PointXYZI> stock;
   removal.compute(stock);
-  const auto& f = removal.getFigures();
+  const auto& f = removal.getReport();
   EXPECT_NEAR(f.scallop.p999 / small, 1.0, 0.01);
   EXPECT_NEAR(f.efficiency, 1.0, 0.01);
   EXPECT_NEAR(f.efficiency, (disc / pitch + 1.0) / (disc / pitch + 2.0), 0.003); // plus one turn along the rim
@@ -322,7 +322,7 @@ TEST(MaterialRemoval, TheNumberOfThreadsChangesNothing)
   const CheckedPath path = straightPasses(*surface, {-20, -17, -15, -12, -9, -6, -4, -2, 0, 2, 5, 8, 11, 14}, 32.0, 3.0);
   const auto cloud = toCloud(sampleUniform(*surface, 10000, 3).points);
   pcl::PointCloud<pcl::PointXYZI> first;
-  pcl_spiral::RemovalFigures figures;
+  pcl_spiral::RemovalReport figures;
   for (const int threads : {1, 2, 3}) {
     MaterialRemoval<pcl::PointXYZ> removal;
     removal.setInputCloud(cloud);
@@ -332,7 +332,7 @@ TEST(MaterialRemoval, TheNumberOfThreadsChangesNothing)
     removal.setNumberOfThreads(threads);
     pcl::PointCloud<pcl::PointXYZI> stock;
     removal.compute(stock);
-    const auto& f = removal.getFigures();
+    const auto& f = removal.getReport();
     if (threads == 1) {
       first = stock;
       figures = f;

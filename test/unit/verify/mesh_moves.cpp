@@ -51,7 +51,7 @@ row()
 }
 
 ToolLocations
-led(const PlainMesh& mesh, double path_tolerance, BisectionFigures& figures, int threads = 2)
+led(const PlainMesh& mesh, double path_tolerance, BisectionReport& figures, int threads = 2)
 {
   Location location;
   location.setInputMesh(mesh.polygons());
@@ -62,7 +62,7 @@ led(const PlainMesh& mesh, double path_tolerance, BisectionFigures& figures, int
   ToolLocations locations;
   location.compute(locations);
   EXPECT_TRUE(location.getStatus().ok()) << location.getStatus().message();
-  figures = location.getBisectionFigures();
+  figures = location.getBisectionReport();
   return locations;
 }
 
@@ -102,7 +102,7 @@ traps()
 TEST(MeshMoves, DoNotCutWhatStandsBetweenTwoLocations)
 {
   for (const PlainMesh& mesh : traps()) {
-    BisectionFigures figures;
+    BisectionReport figures;
     const double before = deepest(mesh, led(mesh, 0.0, figures));
     const ToolLocations row = led(mesh, tolerance, figures);
     const double after = deepest(mesh, row);
@@ -125,7 +125,7 @@ TEST(MeshMoves, LeaveNothingInAGrooveBetweenTwoLocations)
       mesh.addQuad({a, -30, -3}, {b, -30, -3}, {b, 30, -3}, {a, 30, -3});
       mesh.addQuad({b, -30, -3}, {b, -30, 0}, {b, 30, 0}, {b, 30, -3});
       mesh.addQuad({b, -30, 0}, {30, -30, 0}, {30, 30, 0}, {b, 30, 0});
-      BisectionFigures figures;
+      BisectionReport figures;
       const ToolLocations row = led(mesh, tolerance, figures);
       DrivePoints between;
       for (std::size_t i = 0; i + 1 < row.size(); ++i)
@@ -142,7 +142,7 @@ TEST(MeshMoves, LeaveNothingInAGrooveBetweenTwoLocations)
 TEST(MeshMoves, AreTheSameForAnyNumberOfThreads)
 {
   for (const PlainMesh& mesh : traps()) {
-    BisectionFigures one, three;
+    BisectionReport one, three;
     const ToolLocations a = led(mesh, tolerance, one, 1), b = led(mesh, tolerance, three, 3);
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i)

@@ -63,7 +63,7 @@ rows(Height height, double half, double step, double along, bool lifts = true, b
   return path;
 }
 
-DeviationFigures
+DeviationReport
 deviations(const pcl::PolygonMesh::ConstPtr& mesh, const Path::ConstPtr& path, double spacing = 0.0)
 {
   Values output;
@@ -73,10 +73,10 @@ deviations(const pcl::PolygonMesh::ConstPtr& mesh, const Path::ConstPtr& path, d
   judge.setInputToolpath(path);
   judge.compute(output);
   EXPECT_TRUE(judge.getStatus().ok()) << judge.getStatus().message();
-  return judge.getFigures();
+  return judge.getReport();
 }
 
-RemovalFigures
+RemovalReport
 removed(const pcl::PolygonMesh::ConstPtr& mesh, const Path::ConstPtr& path, double spacing = 0.4)
 {
   Values output;
@@ -89,7 +89,7 @@ removed(const pcl::PolygonMesh::ConstPtr& mesh, const Path::ConstPtr& path, doub
   judge.compute(output);
   EXPECT_TRUE(judge.getStatus().ok()) << judge.getStatus().message();
   EXPECT_EQ(output.size(), judge.getRidgeHeights().size());
-  return judge.getFigures();
+  return judge.getReport();
 }
 
 double
@@ -136,7 +136,7 @@ TEST(MeshReference, PointsOfTheCurvedFacesDeviateByNothing)
     path->push_back(contact(hills, p.x(), p.y()));
     path->back().getVector3fMap() = p.cast<float>();
   }
-  const DeviationFigures f = deviations(mesh, path);
+  const DeviationReport f = deviations(mesh, path);
   EXPECT_EQ(f.measured, path->size());
   EXPECT_LT(std::abs(f.max.value), 5e-4);
   EXPECT_LT(f.fit_noise, 1e-4);
@@ -163,14 +163,14 @@ TEST(MeshReference, APlantedGougeIsFoundInPlaceAndDepth)
 {
   const auto mesh = heightMesh(hills, 60.0, 29).made();
   const auto path = rows(hills, 27.0, 0.6, 0.5);
-  const RemovalFigures clean = removed(mesh, path);
+  const RemovalReport clean = removed(mesh, path);
   EXPECT_LT(clean.gouge.value, 0.012); // chords of half a millimetre over hills
   ToolpathPoint& p = (*path)[path->size() / 2 + 20];
   p.getVector3fMap() -= 0.05f * p.getNormalVector3fMap();
-  const RemovalFigures gouged = removed(mesh, path);
+  const RemovalReport gouged = removed(mesh, path);
   EXPECT_NEAR(gouged.gouge.value, 0.05, 0.003);
   EXPECT_LT((gouged.gouge.position - p.getVector3fMap().cast<double>()).norm(), 0.5);
-  const DeviationFigures f = deviations(mesh, path);
+  const DeviationReport f = deviations(mesh, path);
   EXPECT_NEAR(f.max.value, -0.05, 1e-3);
   EXPECT_EQ(f.max.index, path->size() / 2 + 20);
 }
@@ -179,7 +179,7 @@ TEST(MeshReference, PlantedStockIsFound)
 {
   const auto mesh = heightMesh(hills, 60.0, 29).made();
   const auto path = rows(hills, 29.4, 0.6, 0.5);
-  const RemovalFigures clean = removed(mesh, path);
+  const RemovalReport clean = removed(mesh, path);
   EXPECT_LT(clean.scallop.max.value, 0.02);
   EXPECT_EQ(clean.stock.uncut, 0u);
   const auto gap = pcl::make_shared<Path>(); // three rows left out: a step of 2.4 mm
@@ -187,7 +187,7 @@ TEST(MeshReference, PlantedStockIsFound)
     if (std::abs(p.y - 0.6) > 0.9f)
       gap->push_back(p);
   measureRows(*gap, true);
-  const RemovalFigures left = removed(mesh, gap);
+  const RemovalReport left = removed(mesh, gap);
   EXPECT_NEAR(left.scallop.max.value, 2.4 * 2.4 / (8 * R), 0.04);
   EXPECT_NEAR(left.scallop.max.position.y(), 0.6, 0.5);
 }
@@ -198,7 +198,7 @@ TEST(MeshReference, ARowToRowLiftCutsNothing)
   const auto ridge = [](double, double y) { return 4.0 * std::exp(-y * y / 30.0); };
   const auto mesh = heightMesh(ridge, 40.0, 40).made();
   for (const bool lifts : {true, false}) {
-    const RemovalFigures f = removed(mesh, rows(ridge, 16.0, 32.0, 1.0, lifts));
+    const RemovalReport f = removed(mesh, rows(ridge, 16.0, 32.0, 1.0, lifts));
     EXPECT_EQ(f.gouge.value > 3.0, !lifts) << f.gouge.value;
     if (lifts) {
       EXPECT_LT(f.gouge.value, 0.01);
@@ -223,14 +223,14 @@ TEST(MeshReference, PassesMayBeGivenBesideThePath)
   judge.setInputToolpath(path, {path->size() / 2});
   judge.compute(output);
   ASSERT_TRUE(judge.getStatus().ok()) << judge.getStatus().message();
-  EXPECT_LT(judge.getFigures().gouge.value, 0.01);
-  EXPECT_NEAR(judge.getFigures().path_length, 64.0, 1e-3);
+  EXPECT_LT(judge.getReport().gouge.value, 0.01);
+  EXPECT_NEAR(judge.getReport().path_length, 64.0, 1e-3);
   judge.setInputToolpath(path, {path->size() / 2, 3});
   judge.compute(output);
   EXPECT_EQ(judge.getStatus().code(), StatusCode::InvalidInput);
   judge.setInputToolpath(path);
   judge.compute(output);
-  EXPECT_GT(judge.getFigures().gouge.value, 3.0);
+  EXPECT_GT(judge.getReport().gouge.value, 3.0);
 }
 
 TEST(MeshReference, CreasesAreKeptApart)
@@ -244,7 +244,7 @@ TEST(MeshReference, CreasesAreKeptApart)
       if (!hollow || std::abs(p.x) > 2.4f)
         path->push_back(p);
     measureRows(*path, true);
-    const DeviationFigures d = deviations(mesh, path, 0.2);
+    const DeviationReport d = deviations(mesh, path, 0.2);
     EXPECT_GT(d.crease_band, 0.0);
     EXPECT_EQ(d.in_crease_band > 0, !hollow);
     EXPECT_EQ(d.in_crease_band + d.measured + d.beyond_rim, path->size());
@@ -252,7 +252,7 @@ TEST(MeshReference, CreasesAreKeptApart)
     EXPECT_LT(d.normal_error.value, 0.01);
     if (!hollow)
       EXPECT_GT(std::abs(d.crease_max.value), 1e-3); // by the rounded fit
-    const RemovalFigures r = removed(mesh, path, 0.2);
+    const RemovalReport r = removed(mesh, path, 0.2);
     EXPECT_GT(r.crease.samples, 0u);
     EXPECT_EQ(r.crease_band, d.crease_band);
     EXPECT_LT(r.gouge.value, 1e-4);
@@ -275,12 +275,12 @@ TEST(MeshReference, OfASolidTheSideWithThePathIsJudged)
     p.y += 10.0f;
   }
   const auto mesh = boxMesh({20, 20, 10}).made();
-  const DeviationFigures d = deviations(mesh, path);
+  const DeviationReport d = deviations(mesh, path);
   EXPECT_EQ(d.measured, path->size());
   EXPECT_LT(std::abs(d.max.value), 1e-5);
   EXPECT_EQ(d.in_crease_band, 0u); // the top's edges are its rim
   EXPECT_NE(all(d.warnings).find("2 of its 12 faces are judged"), std::string::npos) << all(d.warnings);
-  const RemovalFigures r = removed(mesh, path);
+  const RemovalReport r = removed(mesh, path);
   EXPECT_NEAR(r.area, 400.0, 1.0);
   EXPECT_NEAR(r.rim_length, 80.0, 1e-6);
   EXPECT_EQ(r.stock.uncut, 0u);
@@ -312,10 +312,10 @@ TEST(MeshReference, ARoundSolidIsJudgedOnTheSideOfTheCutter)
       ball.quad(i * around + j, (i + 1) * around + j, (i + 1) * around + (j + 1) % around, i * around + (j + 1) % around);
   const auto dome = [](double x, double y) { return std::sqrt(225.0 - x * x - y * y); };
   const auto path = rows(dome, 8.0, 0.5, 0.5);
-  const DeviationFigures d = deviations(ball.made(), path);
+  const DeviationReport d = deviations(ball.made(), path);
   EXPECT_EQ(d.measured, path->size());
   EXPECT_LT(std::abs(d.max.value), 1e-3);
-  const RemovalFigures r = removed(ball.made(), path);
+  const RemovalReport r = removed(ball.made(), path);
   EXPECT_LT(r.area, 0.6 * 4 * M_PI * 225);
   EXPECT_GT(r.area, 0.5 * 4 * M_PI * 225);
 }
@@ -333,10 +333,10 @@ TEST(MeshReference, HolesAreRimsAndNoGaps)
   }
   draft.faces = kept;
   const auto path = rows(flat, 17.0, 0.5, 0.5);
-  const DeviationFigures d = deviations(draft.made(), path);
+  const DeviationReport d = deviations(draft.made(), path);
   EXPECT_EQ(d.in_gaps, 0u);
   EXPECT_GT(d.measured, path->size() - 81);
-  const RemovalFigures r = removed(draft.made(), path);
+  const RemovalReport r = removed(draft.made(), path);
   EXPECT_NEAR(r.rim_length, 160.0 + 16.0, 1e-6);
 }
 
@@ -389,7 +389,7 @@ TEST(MeshReference, WhatDoesNotFitIsRefused)
   judge.setInputMesh(heightMesh(flat, 20.0, 10).made());
   judge.compute(output);
   EXPECT_TRUE(judge.getStatus().ok());
-  EXPECT_EQ(judge.getFigures().opposed, judge.getFigures().points);
+  EXPECT_EQ(judge.getReport().opposed, judge.getReport().points);
 }
 
 } // namespace mesh_reference_test

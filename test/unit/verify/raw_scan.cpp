@@ -57,7 +57,7 @@ TEST(RawScan, AFoldThatSmoothingTookIsFoundAtItsPlace)
   std::vector<Eigen::Vector3f> points = floats(raw);
   points.emplace_back(std::nanf(""), 0.0F, 0.0F);
   points.emplace_back(500.0F, 0.0F, 0.0F);
-  const RawScanFigures f = compareWithRaw(*surfaceOf(plate(2)), points);
+  const RawScanReport f = compareWithRaw(*surfaceOf(plate(2)), points);
   EXPECT_EQ(f.beside, 1U);
   EXPECT_NEAR(f.largest.value, 2.0, 0.02);
   EXPECT_NEAR(f.mean.value, 2.0, 0.1); // of 25 points, over 4 mm
@@ -77,7 +77,7 @@ TEST(RawScan, NoiseAloneIsNoise)
   Random random(4);
   for (Eigen::Vector3d& p : raw)
     p.z() += noise * random.normal();
-  const RawScanFigures f = compareWithRaw(*surfaceOf(plate(5)), floats(raw));
+  const RawScanReport f = compareWithRaw(*surfaceOf(plate(5)), floats(raw));
   EXPECT_NEAR(f.noise, noise, 0.05 * noise);
   EXPECT_NEAR(f.p99, 2.576 * noise, 0.1 * noise); // of a normal distribution
   EXPECT_LT(f.mean.value, f.leastMean() * 1.15);  // the largest of 8000 means
@@ -87,17 +87,17 @@ TEST(RawScan, AShiftOfAllIsNoNoiseAndTheSameScanIsNoChange)
 {
   std::vector<Eigen::Vector3d> raw = plate(8);
   const Surface::ConstPtr surface = surfaceOf(raw);
-  const RawScanFigures same = compareWithRaw(*surface, floats(raw));
+  const RawScanReport same = compareWithRaw(*surface, floats(raw));
   EXPECT_LT(same.mean.value, same.leastMean());
   EXPECT_TRUE(same.others.empty());
   Random random(9);
   for (Eigen::Vector3d& p : raw)
     p.z() += 0.5 + 0.05 * random.normal();
-  const RawScanFigures shifted = compareWithRaw(*surface, floats(raw));
+  const RawScanReport shifted = compareWithRaw(*surface, floats(raw));
   EXPECT_NEAR(shifted.noise, 0.05, 0.005);
   EXPECT_GT(shifted.mean.value, 5.0 * shifted.leastMean());
   raw.emplace_back(3.0, 2.0, 90.0);
-  const RawScanFigures flying = compareWithRaw(*surface, floats(raw));
+  const RawScanReport flying = compareWithRaw(*surface, floats(raw));
   EXPECT_EQ(flying.beside, 1U);
   EXPECT_EQ(flying.others.back(), Eigen::Vector3f(3.0F, 2.0F, 90.0F));
 }
@@ -108,9 +108,9 @@ TEST(RawScan, DoesNotDependOnTheOrderOfThePoints)
   for (Eigen::Vector3d& p : raw)
     p.z() += 0.5 * std::sin(p.x());
   const Surface::ConstPtr surface = surfaceOf(plate(7));
-  const RawScanFigures one = compareWithRaw(*surface, floats(raw));
+  const RawScanReport one = compareWithRaw(*surface, floats(raw));
   std::reverse(raw.begin(), raw.end());
-  const RawScanFigures other = compareWithRaw(*surface, floats(raw));
+  const RawScanReport other = compareWithRaw(*surface, floats(raw));
   EXPECT_EQ(one.mean.position, other.mean.position);
   EXPECT_EQ(one.p99, other.p99);
   EXPECT_EQ(one.largest.value, other.largest.value);

@@ -36,7 +36,7 @@ rowsAnd(const AnalyticSurface& surface, const Polyline& centres, const Eigen::Ve
   return toolpath(path);
 }
 
-pcl_spiral::RemovalFigures
+pcl_spiral::RemovalReport
 figuresOf(const pcl::PointCloud<pcl::PointXYZ>::Ptr& scan, const pcl::PointCloud<ToolpathPoint>::Ptr& path, std::size_t passes,
           pcl::PointCloud<pcl::PointXYZI>& stock)
 {
@@ -47,7 +47,7 @@ figuresOf(const pcl::PointCloud<pcl::PointXYZ>::Ptr& scan, const pcl::PointCloud
   removal.setScallopHeight(0.05);
   removal.compute(stock);
   EXPECT_TRUE(removal.getStatus().ok()) << removal.getStatus().message();
-  return removal.getFigures();
+  return removal.getReport();
 }
 
 /** How deep the deepest point of the scan is in the ball that moves through \p centres. */

@@ -81,7 +81,7 @@ TEST(StockFalls, AfterAnyMoveTheStockIsThatOfThePathUpToThere)
     const std::size_t all = dome.path->size() - 1;
     const std::vector<float> left = dome.judge(all);
     const StockMesh mesh = stockMesh(*dome.reference, left);
-    const RemovalFigures judged = dome.verification.removal;
+    const RemovalReport judged = dome.verification.removal;
     StockFallSettings settings;
     settings.reach = judged.reach;
     const StockFalls falls = stockFalls(mesh, *dome.sweep(), settings);

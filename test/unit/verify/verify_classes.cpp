@@ -74,7 +74,7 @@ TEST(VerifyClasses, AnOwnPointTypeGivesTheSame)
   deviation.setInputCloud(scene.own);
   deviation.compute(a);
   EXPECT_TRUE(deviation.getStatus().ok());
-  EXPECT_LT(deviation.getFigures().rms, 1e-3);
+  EXPECT_LT(deviation.getReport().rms, 1e-3);
 }
 
 TEST(VerifyClasses, OneSurfaceServesBoth)

@@ -20,13 +20,16 @@
 namespace pcl_spiral {
 
 /** Figures of BallClosing. */
-struct ClosingFigures {
+struct ClosingReport {
   std::size_t points = 0; ///< finite and all different
   std::size_t covered =
       0;                ///< of them, deeper under the closed surface than its cell: in folds and under overhangs that the ball cannot enter
   double spacing = 0.0; ///< of the points, mm
   double cell = 0.0;    ///< distance of the points of the closed surface, across the direction, mm
 };
+
+/** \deprecated Use ClosingReport. */
+using ClosingFigures [[deprecated("use ClosingReport")]] = ClosingReport;
 
 /** Closes a scan by a ball that comes down along one direction: the result is the surface that the ball can touch from there. Steps whose
  *  side was not seen, folds and crevices narrower than the ball are bridged by its shape, thin things stay, and walls become flanks of 75
@@ -81,7 +84,8 @@ public:
 
   /** The grid whose nodes the points of the last result are. */
   const HeightGrid& getHeightGrid() const { return view_.grid; }
-  const ClosingFigures& getFigures() const { return figures_; } ///< Figures of the last result.
+  const ClosingReport& getReport() const { return figures_; }                                     ///< Figures of the last result.
+  [[deprecated("use getReport")]] const ClosingReport& getFigures() const { return getReport(); } ///< \deprecated Use getReport.
   /** The ball over the points as given, and the obstacles, in the frame of getHeightGrid. */
   const std::shared_ptr<const DropBall>& getDropBall() const { return view_.ball; }
 
@@ -98,7 +102,7 @@ private:
   typename pcl::PointCloud<PointT>::ConstPtr obstacles_;
   bool quiet_ = false;
   ClosedView view_;
-  ClosingFigures figures_;
+  ClosingReport figures_;
   Status status_;
 };
 

@@ -18,13 +18,16 @@
 namespace pcl_spiral {
 
 /** Results of a removal: points, lengths in mm. */
-struct OutlierFigures {
+struct OutlierReport {
   std::size_t outliers = 0;                                      ///< outliers left out; finite ones
   std::size_t nonfinite = 0;                                     ///< left out as well
   std::size_t kept_outliers = 0;                                 ///< outliers kept: off the surface, but in a group larger than the limit
   std::size_t largest_group = 0;                                 ///< of outliers, including those kept, linked by steps of three spacings
   Eigen::Vector3d largest_group_place = Eigen::Vector3d::Zero(); ///< its middle
 };
+
+/** \deprecated Use OutlierReport. */
+using OutlierFigures [[deprecated("use OutlierReport")]] = OutlierReport;
 
 /** Leaves out outliers: false echoes, isolated points, clusters apart from the surface. Points that are not finite are left
  *  out too. Points of the surface stay, however close together they are.
@@ -57,10 +60,11 @@ public:
   void setLargestGroup(std::size_t points) { largest_group_ = points; }
   std::size_t getLargestGroup() const { return largest_group_; } ///< The value of setLargestGroup.
 
-  const OutlierFigures& getFigures() const { return figures_; } ///< Figures of the last call of filter.
+  const OutlierReport& getReport() const { return figures_; }                                     ///< Figures of the last call of filter.
+  [[deprecated("use getReport")]] const OutlierReport& getFigures() const { return getReport(); } ///< \deprecated Use getReport.
 
 protected:
-  void forgetResult() override { figures_ = OutlierFigures(); } ///< Clears the figures.
+  void forgetResult() override { figures_ = OutlierReport(); } ///< Clears the figures.
   /** Fails if the points form no surface. */
   Status choose(pcl::Indices& kept, pcl::Indices& removed) override;
 
@@ -68,11 +72,11 @@ private:
   std::vector<std::array<float, 3>> placesToLeaveOut(const std::vector<Eigen::Vector3f>& outliers, double reach);
 
   std::size_t largest_group_ = 0;
-  OutlierFigures figures_;
+  OutlierReport figures_;
 };
 
-/** \deprecated Renamed OutlierFigures, its fields strays and kept_strays outliers and kept_outliers. */
-using StrayFigures [[deprecated("use OutlierFigures")]] = OutlierFigures;
+/** \deprecated Renamed OutlierReport, its fields strays and kept_strays outliers and kept_outliers. */
+using StrayFigures [[deprecated("use OutlierReport")]] = OutlierReport;
 
 /** \deprecated Renamed OutlierRemoval. */
 template <typename PointT>

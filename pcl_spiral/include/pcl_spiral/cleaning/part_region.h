@@ -21,11 +21,14 @@ namespace pcl_spiral {
 class PointBlocks;
 
 /** What PartRegion left out: points. */
-struct RegionFigures {
+struct RegionReport {
   std::size_t cropped = 0;   ///< outside the crop
   std::size_t kept_out = 0;  ///< inside a keep-out
   std::size_t too_close = 0; ///< outside, but the ball is too close to a keep-out, or its shank to an obstacle
 };
+
+/** \deprecated Use RegionReport. */
+using RegionFigures [[deprecated("use RegionReport")]] = RegionReport;
 
 /** Keeps the points of a scan that are to be cut: those inside the crop at which a ball can touch the surface without entering a
  *  keep-out, its shank without touching what stands there. A keep-out has no end along its axis, so the ball is also out of the space
@@ -101,12 +104,13 @@ public:
   void setInputNormals(const NormalsConstPtr& normals) { normals_ = normals; }
   NormalsConstPtr getInputNormals() const { return normals_; } ///< The value of setInputNormals.
 
-  const RegionFigures& getFigures() const { return figures_; } ///< Figures of the last call of filter.
+  const RegionReport& getReport() const { return figures_; }                                     ///< Figures of the last call of filter.
+  [[deprecated("use getReport")]] const RegionReport& getFigures() const { return getReport(); } ///< \deprecated Use getReport.
 
 protected:
   void applyFilter(pcl::PointCloud<PointT>& output) override; ///< What pcl::Filter calls.
   using StatusFilter<PointT>::applyFilter;
-  void forgetResult() override { figures_ = RegionFigures(); } ///< Clears the figures.
+  void forgetResult() override { figures_ = RegionReport(); } ///< Clears the figures.
   /** Fails on a polygon with a fault, a negative length, or a wrong number of normals. */
   Status choose(pcl::Indices& kept, pcl::Indices& removed) override;
 
@@ -124,7 +128,7 @@ private:
   std::shared_ptr<const PointBlocks> obstacles_; ///< null: none
   NormalsConstPtr normals_;
   bool into_cloud_ = false; ///< filter with a cloud as output is running
-  RegionFigures figures_;
+  RegionReport figures_;
 };
 
 } // namespace pcl_spiral

@@ -130,9 +130,14 @@ public:
   void compute(std::vector<ToolLocations>& passes);
 
   /** Counts, largest values and warnings of the last compute. */
-  const LocationFigures& getFigures() const { return figures_; }
+  const LocationReport& getReport() const { return figures_; }
+  [[deprecated("use getReport")]] const LocationReport& getFigures() const { return getReport(); } ///< \deprecated Use getReport.
   /** Figures of the path tolerance: locations added, largest error. */
-  const BisectionFigures& getBisectionFigures() const { return bisection_figures_; }
+  const BisectionReport& getBisectionReport() const { return bisection_figures_; }
+  [[deprecated("use getBisectionReport")]] const BisectionReport& getBisectionFigures() const
+  {
+    return getBisectionReport();
+  } ///< \deprecated Use getBisectionReport.
 
 private:
   Status check() const;
@@ -143,7 +148,7 @@ private:
   Status run(std::vector<ToolLocations>& passes);
   Status locate(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes);
   Status retilt(const CutterLocationEngine& locator, double margin, std::vector<ToolLocations>& passes) const;
-  Status bisect(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes, BisectionFigures& figures) const;
+  Status bisect(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes, BisectionReport& figures) const;
   std::vector<ToolLocations> inPasses(const ToolLocations& locations) const;
   void forgetMade() override
   {
@@ -160,8 +165,8 @@ private:
   ProgressCallback progress_;
   std::shared_ptr<const LocationSurface> given_location_, location_surface_;
   std::shared_ptr<const LocationMesh> location_mesh_;
-  LocationFigures figures_;
-  BisectionFigures bisection_figures_;
+  LocationReport figures_;
+  BisectionReport bisection_figures_;
 };
 
 /** Checks drive points: there must be some, all finite and each with an axis. */

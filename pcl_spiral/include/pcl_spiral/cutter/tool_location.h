@@ -89,7 +89,7 @@ struct ToolLocation {
 using ToolLocations = std::vector<ToolLocation>; ///< Locations in the order of their drive points.
 
 /** Counts of the states and bases of many locations, and their largest values with the index of the location. */
-struct LocationFigures {
+struct LocationReport {
   std::array<std::size_t, location_states> states{}; ///< number of locations in each state
   std::array<std::size_t, location_bases> bases{};   ///< NoCloud counts in none of them
   std::size_t over_rim = 0;                          ///< locations over the rim or over a gap
@@ -114,8 +114,11 @@ struct LocationFigures {
   std::size_t count(LocationBasis basis) const { return bases[static_cast<std::size_t>(basis)]; }  ///< Number of locations of a basis.
 };
 
+/** \deprecated Use LocationReport. */
+using LocationFigures [[deprecated("use LocationReport")]] = LocationReport;
+
 /** Result of a bisection. Lengths in mm. */
-struct BisectionFigures {
+struct BisectionReport {
   std::size_t inserted = 0;                              ///< locations added
   double largest_error = 0.0;                            ///< of all moves: a bound of what they cut, or what is left in
                                                          ///< the middle if that is more; plus what thinning shifts
@@ -123,6 +126,9 @@ struct BisectionFigures {
   Eigen::Vector3d worst_place = Eigen::Vector3d::Zero(); ///< tip in the middle of the move with the largest error
   std::size_t not_judged = 0;                            ///< moves from or to a location without a cloud
 };
+
+/** \deprecated Use BisectionReport. */
+using BisectionFigures [[deprecated("use BisectionReport")]] = BisectionReport;
 
 /** The name in words: "reached", "lifted". */
 const char* nameOf(LocationState state);

@@ -46,12 +46,15 @@ enum class LoopMethod {
 };
 
 /** What was left out before the loops were made. */
-struct BoundaryCounts {
+struct BoundaryReport {
   std::size_t left_out_parts = 0;     ///< clusters apart from the surface
   std::size_t left_out_triangles = 0; ///< in them
   std::size_t left_out_points = 0;    ///< of these triangles only
   std::size_t left_out_loops = 0;     ///< see shortest_loop
   std::size_t unmarked_loops = 0;     ///< with less than half of their points marked
 };
+
+/** \deprecated Use BoundaryReport. */
+using BoundaryCounts [[deprecated("use BoundaryReport")]] = BoundaryReport;
 
 } // namespace pcl_spiral

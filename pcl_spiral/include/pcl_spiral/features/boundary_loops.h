@@ -72,7 +72,8 @@ public:
   void compute(std::vector<BoundaryLoop>& loops);
 
   /** What the last compute left out. */
-  const BoundaryCounts& getCounts() const { return counts_; }
+  const BoundaryReport& getReport() const { return counts_; }
+  [[deprecated("use getReport")]] const BoundaryReport& getCounts() const { return getReport(); } ///< \deprecated Use getReport.
 
 private:
   Status run(std::vector<BoundaryLoop>& loops);
@@ -80,7 +81,7 @@ private:
   BoundaryPointsConstPtr boundary_points_;
   BoundaryOptions options_;
   ProgressCallback progress_;
-  BoundaryCounts counts_;
+  BoundaryReport counts_;
 };
 
 } // namespace pcl_spiral

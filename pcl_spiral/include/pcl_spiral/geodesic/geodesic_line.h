@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/surface/surface_foot.h>
+#include <pcl_spiral/fit/surface_foot.h>
 
 #include <limits>
 #include <vector>

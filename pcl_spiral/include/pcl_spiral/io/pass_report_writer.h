@@ -64,12 +64,12 @@ void writeDriveReportHTML(const std::string& file, const ReportPage& page, const
 /** Settings, both lines, rows, locations, times and warnings of rows over a ridge. \throw FileError; std::invalid_argument for
  *  an empty plan */
 void writeRidgeReportJSON(const std::string& file, const RunFiles& files, const RidgeRun& run, const PassPlan& plan,
-                          const RidgeFigures& figures);
+                          const RidgePlanReport& figures);
 /** The same as a text. \throw std::invalid_argument for an empty plan */
-std::string ridgeReportJSON(const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgeFigures& figures);
+std::string ridgeReportJSON(const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgePlanReport& figures);
 
 /** The same as one HTML file that needs no other, with \p pictures. \throw FileError; std::invalid_argument for an empty plan */
 void writeRidgeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const RidgeRun& run, const PassPlan& plan,
-                          const RidgeFigures& figures, const std::vector<ReportPicture>& pictures);
+                          const RidgePlanReport& figures, const std::vector<ReportPicture>& pictures);
 
 } // namespace pcl_spiral

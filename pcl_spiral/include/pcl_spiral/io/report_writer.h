@@ -25,7 +25,7 @@ struct Heights;
 
 /** A mesh; its samples are the points of a run. */
 struct RunMesh {
-  MeshCounts counts;           ///< of the mesh as given
+  MeshReport counts;           ///< of the mesh as given
   double sample_spacing = 0.0; ///< mm
 };
 

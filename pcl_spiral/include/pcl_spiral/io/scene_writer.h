@@ -20,7 +20,7 @@ namespace pcl_spiral {
 struct CutScene {
   StockMesh stock;                                 ///< stockMesh of what the path leaves
   pcl::PointCloud<ToolpathPoint>::ConstPtr path;   ///< contacts
-  double limit = 0.0;                              ///< RemovalFigures::limit: stock above it has a colour of its own
+  double limit = 0.0;                              ///< RemovalReport::limit: stock above it has a colour of its own
   double gouge = 0.0;                              ///< so have gouges deeper than this
   Eigen::Vector3d shift = Eigen::Vector3d::Zero(); ///< Scan::shift: what was taken from the places
 };

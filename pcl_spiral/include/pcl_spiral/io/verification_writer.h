@@ -20,7 +20,7 @@ namespace pcl_spiral {
 
 /** A mesh that toolpaths were judged by. Lengths in mm. */
 struct JudgedMesh {
-  MeshCounts counts;            ///< of the file
+  MeshReport counts;            ///< of the file
   MeshSettings settings;        ///< by which it was read
   std::size_t judged_faces = 0; ///< all; of a closed mesh only those that the last path touched
   double sample_spacing = 0.0;  ///< distance of the samples

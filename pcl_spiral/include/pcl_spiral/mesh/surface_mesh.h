@@ -60,7 +60,7 @@ struct MeshFinding {
 };
 
 /** What was found in a mesh and corrected. */
-struct MeshCounts {
+struct MeshReport {
   std::size_t given_faces = 0; ///< of the input, with polygons cut into triangles
   MeshFinding welded;          ///< vertices at the place of an earlier one
   MeshFinding without_area;    ///< faces left out: two corners at one place, or all on one line
@@ -81,6 +81,9 @@ struct MeshCounts {
   bool closed = false;         ///< no open edges
   bool inside_out = false;     ///< a closed mesh whose faces all faced inwards: turned
 };
+
+/** \deprecated Use MeshReport. */
+using MeshCounts [[deprecated("use MeshReport")]] = MeshReport;
 
 /** The curved triangle spanned by the parabolas of three edges: with barycentric coordinates b,
  *  x(b) = sum b_i P_i - sum bow_ij b_i b_j. Its edges are the parabolas; it is flat where the bows are zero. */
@@ -111,8 +114,9 @@ public:
    *  faces, an index that is not one of a point, a corner that is not finite, no face with an area, a setting out of range. */
   static Status make(const pcl::PolygonMesh& mesh, const MeshSettings& settings, ConstPtr& result);
 
-  const MeshSettings& settings() const { return settings_; } ///< The settings it was made with.
-  const MeshCounts& counts() const { return counts_; }       ///< What was found and corrected.
+  const MeshSettings& settings() const { return settings_; }                         ///< The settings it was made with.
+  const MeshReport& report() const { return counts_; }                               ///< What was found and corrected.
+  [[deprecated("use report")]] const MeshReport& counts() const { return report(); } ///< \deprecated Use report.
 
   const Triangulation& triangles() const { return triangles_; }                  ///< Faces, their neighbours and half-edges.
   std::size_t vertexCount() const { return positions_.size(); }                  ///< Number of vertices.
@@ -148,7 +152,7 @@ private:
   void setBow(std::uint32_t h);
 
   MeshSettings settings_;
-  MeshCounts counts_;
+  MeshReport counts_;
   Triangulation triangles_;
   std::vector<Eigen::Vector3d> positions_, normals_, bows_;
   std::vector<std::uint32_t> sector_of_; ///< of the corner of each half-edge: index of its normal

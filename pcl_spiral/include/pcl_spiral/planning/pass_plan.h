@@ -82,8 +82,8 @@ struct PassPlan {
   std::size_t off_scan = 0;      ///< locations left out: no part of the surface below the cutter, and those of left_out
   LeftOutLocations left_out;     ///< because of what is not to be cut
   DriveReport drive;             ///< of the drive path; its warnings are in warnings
-  LocationFigures locations;     ///< of the cutter; its warnings are in warnings
-  BisectionFigures bisection;    ///< of the moves between locations
+  LocationReport locations;      ///< of the cutter; its warnings are in warnings
+  BisectionReport bisection;     ///< of the moves between locations
   LedTool tool;                  ///< as used
   bool gouges_checked = true;    ///< false: the cutter stands at the contacts of a mesh
   bool covers_scan = true;       ///< false: the passes run over a band of the scan, as a ridge or a curve

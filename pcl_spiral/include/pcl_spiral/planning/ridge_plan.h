@@ -21,7 +21,7 @@ enum class RidgeFault {
 };
 
 /** Lines and rows of a ridge. Lengths in mm. */
-struct RidgeFigures {
+struct RidgePlanReport {
   Polyline rail;                        ///< measured points, or those found in the scan
   Polyline generator;                   ///< the same of the other line
   RidgeSurface::ConstPtr ridge;         ///< null if it could not be made
@@ -29,8 +29,11 @@ struct RidgeFigures {
   RidgeRowReport rows;                  ///< its warnings are in those of the plan
 };
 
+/** \deprecated Use RidgePlanReport. */
+using RidgeFigures [[deprecated("use RidgePlanReport")]] = RidgePlanReport;
+
 /** Passes over a ridge: each is a row. */
-struct RidgePlan : PassPlan, RidgeFigures {
+struct RidgePlan : PassPlan, RidgePlanReport {
   RidgeFault fault = RidgeFault::Scan; ///< of a plan that failed: where
 };
 

@@ -25,7 +25,7 @@ namespace pcl_spiral {
 /** A mesh, and the samples used to plan the path. */
 struct SampledMesh {
   SurfaceMesh::ConstPtr mesh;                     ///< the parts that the path runs over
-  MeshCounts counts;                              ///< of the mesh as given
+  MeshReport counts;                              ///< of the mesh as given
   double spacing = 0.0;                           ///< of the samples, mm
   pcl::PointCloud<pcl::Normal>::ConstPtr normals; ///< of the samples
   std::vector<std::uint32_t> faces;               ///< of the mesh as given, one per sample

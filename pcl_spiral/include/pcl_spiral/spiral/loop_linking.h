@@ -91,14 +91,15 @@ public:
   void compute(LinkedPath& path);
 
   /** Figures of the last compute; lengths and places of coverage are 0 without a field. */
-  const ScallopFigures& getFigures() const { return figures_; }
+  const ScallopReport& getReport() const { return figures_; }
+  [[deprecated("use getReport")]] const ScallopReport& getFigures() const { return getReport(); } ///< \deprecated Use getReport.
 
 private:
   Status checkGivenBasis() const;
   Status run(LinkedPath& path);
 
   std::vector<ScallopLoop> given_scallop_loops_;
-  ScallopFigures figures_;
+  ScallopReport figures_;
 };
 
 } // namespace pcl_spiral

@@ -7,7 +7,7 @@
 #include <pcl_spiral/core/bspline_fit.h>
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/surface/surface_foot.h>
+#include <pcl_spiral/fit/surface_foot.h>
 
 #include <cstddef>
 #include <vector>

@@ -38,7 +38,7 @@ struct ScallopLoop {
 };
 
 /** Parts and figures of a path at constant scallop height. Lengths in mm. */
-struct ScallopFigures {
+struct ScallopReport {
   std::size_t loops = 0;           ///< from the boundaries inward
   std::size_t chain_loops = 0;     ///< in the spiral from the rim to the innermost loop
   std::size_t bridges = 0;         ///< loops beside it, each joined to a neighbour by two narrow turns
@@ -60,5 +60,8 @@ struct ScallopFigures {
   double farthest = 0.0; ///< largest distance of a place of the surface from the path, in step-overs; 0.5 leaves the requested height
   Eigen::Vector3d farthest_place = Eigen::Vector3d::Zero(); ///< that place
 };
+
+/** \deprecated Use ScallopReport. */
+using ScallopFigures [[deprecated("use ScallopReport")]] = ScallopReport;
 
 } // namespace pcl_spiral

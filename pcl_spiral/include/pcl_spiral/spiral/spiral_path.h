@@ -94,19 +94,25 @@ struct SpiralPath {
 std::vector<double> cutLengths(const SpiralPath& path);
 
 /** Result of measureGaps. */
-struct GapFigures {
+struct GapReport {
   std::size_t points = 0; ///< path points over gaps of the scan
   double length = 0.0;    ///< length of the path between them, mm
 };
 
+/** \deprecated Use GapReport. */
+using GapFigures [[deprecated("use GapReport")]] = GapReport;
+
 /** Result of setToolAxes, degrees. */
-struct AxisFigures {
+struct AxisReport {
   double largest_change = 0.0;      ///< between neighbouring path points
   double largest_rate = 0.0;        ///< per mm of path
   double largest_lean = 0.0;        ///< between axis and normal
   double largest_deviation = 0.0;   ///< between an axis and the requested tilt
   std::size_t deviating_points = 0; ///< number with a deviation above SpiralSettings::axis_deviation
 };
+
+/** \deprecated Use AxisReport. */
+using AxisFigures [[deprecated("use AxisReport")]] = AxisReport;
 
 /** Places where a path turns back by more than 150 degrees from one move to the next, a whole turn or more away from the ends of its
  *  passes. */
@@ -126,7 +132,7 @@ struct ClosestTurns {
 };
 
 /** Result of checkPath. */
-struct PathFigures {
+struct ToolpathReport {
   std::size_t turns = 0;    ///< of the path
   std::size_t points = 0;   ///< of the path
   double length = 0.0;      ///< mm
@@ -135,32 +141,35 @@ struct PathFigures {
   ClosestTurns closest;     ///< measured on the path, see measureTurns
 };
 
+/** \deprecated Use ToolpathReport. */
+using PathFigures [[deprecated("use ToolpathReport")]] = ToolpathReport;
+
 /** True if \p place lies over a void of the scan (ScanVoids), or over no point of it except a point that was put into a gap:
  *  \p nearest is the nearest point of \p surface, \p distance away, mm. */
 bool isOverGap(const Surface& surface, const Eigen::Vector3d& place, std::uint32_t nearest, double distance);
 
 /** Count the marks in \p path. Fails at the first mark with GapHandling::Refuse. */
-Status measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& figures);
+Status measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapReport& figures);
 
 /** Put \p curve on \p surface: contacts, normals, turns and gap marks of \p path. Fails where the curve leaves the surface,
  *  where the cutter does not fit with TightHandling::Refuse, and over a gap with GapHandling::Refuse. A step stretched beyond
  *  \p longest_step, mm, gets a point in its middle. With TightHandling::Ride, contacts are lifted off the surface where the ball does not
  *  reach it. \p reach of the ball on this surface; null: made here. */
 Status putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
-                    const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach = nullptr);
+                    const ProgressCallback& progress, SpiralPath& path, GapReport& figures, const BallReach* reach = nullptr);
 
 /** The same for the curve of \p turns with its longest step. Feet that it has are not found again. */
 Status putOnSurface(const SpiralTurns& turns, const Surface& surface, const SpiralSettings& settings, const ProgressCallback& progress,
-                    SpiralPath& path, GapFigures& figures, const BallReach* reach = nullptr);
+                    SpiralPath& path, GapReport& figures, const BallReach* reach = nullptr);
 
 /** Tool axes of \p path: tilted, smoothed, limited to the largest rate. Beside \p obstacles, points that the ball rides over, the tool
  *  leans less if its shank, shank_radii long, would enter them otherwise; a fixed axis stays. Fails where the axis would lie in the
  *  surface. */
-Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, Diagnostics& warnings,
+Status setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisReport& figures, Diagnostics& warnings,
                    const std::vector<Eigen::Vector3f>& obstacles = {});
 /** The same with warnings as texts. */
 [[deprecated("Diagnostics")]] inline Status
-setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, std::vector<std::string>& warnings,
+setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisReport& figures, std::vector<std::string>& warnings,
             const std::vector<Eigen::Vector3f>& obstacles = {})
 {
   Diagnostics said;
@@ -173,11 +182,11 @@ setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figur
 /** Reversals and closest turns of \p path. The first and the last turn of each pass do not count: they run about the centre or along a
  *  boundary, where turns meet. Neighbouring turns are half a turn or more apart; with SpiralMethod::ConstantScallop they are stretches
  *  that are four flat step-overs or more apart along the path, because bridges and fingers lie side by side within a turn. */
-void measureTurns(const SpiralPath& path, const SpiralSettings& settings, PathFigures& figures);
+void measureTurns(const SpiralPath& path, const SpiralSettings& settings, ToolpathReport& figures);
 
 /** Fails on a move longer than \p longest_step, if the path crosses itself, or if it turns back on itself: with
  *  SpiralMethod::ConstantScallop, whose fingers do so, that is only counted. \p own_curve: no setting made it, so the remedy names none. */
 Status checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest_step, const ProgressCallback& progress,
-                 PathFigures& figures, bool own_curve = false);
+                 ToolpathReport& figures, bool own_curve = false);
 
 } // namespace pcl_spiral

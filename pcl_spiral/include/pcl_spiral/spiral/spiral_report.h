@@ -37,7 +37,7 @@ struct TightPlace {
 };
 
 /** What the surface was made of. Lengths in mm. */
-struct ScanFigures {
+struct ScanReport {
   std::size_t input_points = 0;     ///< of the cloud, or of its indices
   std::size_t nonfinite_points = 0; ///< left out
   std::size_t duplicate_points = 0; ///< left out
@@ -53,14 +53,20 @@ struct ScanFigures {
   int projection_neighbours = 0;    ///< neighbours in one surface fit
 };
 
+/** \deprecated Use ScanReport. */
+using ScanFigures [[deprecated("use ScanReport")]] = ScanReport;
+
 /** Boundaries of the surface. */
-struct OutlineFigures {
+struct OutlineReport {
   std::vector<BoundaryLoop> loops; ///< rim, holes and gaps, as found or given
   std::vector<HoleReport> holes;   ///< holes and gaps
 };
 
+/** \deprecated Use OutlineReport. */
+using OutlineFigures [[deprecated("use OutlineReport")]] = OutlineReport;
+
 /** Lines of SpiralMethod::Radial. Lengths in mm. */
-struct LineFigures {
+struct LineReport {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of the spiral, with one boundary only
   bool centre_settled = true;                       ///< the search for the centre converged
   bool harmonic_lines = false;                      ///< the fallback made the lines
@@ -71,8 +77,11 @@ struct LineFigures {
   double line_tolerance = 0.0;                      ///< its tolerance
 };
 
-/** Loops of SpiralMethod::ConstantScallop, see ScallopFigures. Lengths in mm. */
-struct LoopFigures {
+/** \deprecated Use LineReport. */
+using LineFigures [[deprecated("use LineReport")]] = LineReport;
+
+/** Loops of SpiralMethod::ConstantScallop, see ScallopReport. Lengths in mm. */
+struct LoopReport {
   std::size_t scallop_loops = 0;       ///< their number
   std::size_t chain_loops = 0;         ///< loops in the spiral from the rim inward
   std::size_t bridges = 0;             ///< loops beside it
@@ -85,8 +94,11 @@ struct LoopFigures {
   Eigen::Vector3d sharpest_place = Eigen::Vector3d::Zero(); ///< the place of the sharpest turn
 };
 
+/** \deprecated Use LoopReport. */
+using LoopFigures [[deprecated("use LoopReport")]] = LoopReport;
+
 /** The turns of one method, before they are on the surface. Lengths in mm. */
-struct TurnPlan : LineFigures, LoopFigures {
+struct TurnPlan : LineReport, LoopReport {
   SpiralMethod method = SpiralMethod::Radial; ///< that made the path
   bool own_curve = false;                     ///< of setCurve or setPlanner: method then tells by whose rules it was checked
   std::size_t boundaries = 0;                 ///< 1 or 2
@@ -99,7 +111,7 @@ struct TurnPlan : LineFigures, LoopFigures {
 };
 
 /** The path on the surface. Lengths in mm. */
-struct PathCounts {
+struct SpiralPathReport {
   std::vector<std::size_t> pass_begins;                    ///< path points before which the tool is lifted; empty: one pass
   double efficiency = 0.0;                                 ///< least_length / path_length, of the whole surface
   std::size_t turns = 0;                                   ///< of the path, including those along the rim and the inner loop
@@ -112,8 +124,11 @@ struct PathCounts {
   double largest_gap = 0.0;                                ///< longest linear move
 };
 
+/** \deprecated Use SpiralPathReport. */
+using PathCounts [[deprecated("use SpiralPathReport")]] = SpiralPathReport;
+
 /** Places that the ball does not reach. Lengths in mm. */
-struct TightFigures {
+struct TightReport {
   std::vector<TightPlace> tight_places; ///< the highest stock first
   double fitting_radius = 0.0;          ///< of the largest ball that reaches everything, at most the tool radius
   double lifted_length = 0.0;           ///< of the path, off the surface where the ball does not reach it
@@ -121,8 +136,11 @@ struct TightFigures {
   MissedPoints missed;                  ///< points of the scan that stand out of the surface, into which the path cuts
 };
 
+/** \deprecated Use TightReport. */
+using TightFigures [[deprecated("use TightReport")]] = TightReport;
+
 /** The tool axes of the path. */
-struct AxisCounts {
+struct SpiralAxisReport {
   double largest_axis_change = 0.0;    ///< degrees between neighbouring path points
   double largest_axis_rate = 0.0;      ///< degrees per mm of path
   double largest_axis_lean = 0.0;      ///< degrees between axis and normal
@@ -130,8 +148,11 @@ struct AxisCounts {
   std::size_t deviating_points = 0;    ///< number with a deviation above SpiralSettings::axis_deviation
 };
 
+/** \deprecated Use SpiralAxisReport. */
+using AxisCounts [[deprecated("use SpiralAxisReport")]] = SpiralAxisReport;
+
 /** Figures of a run, those of each stage in a struct of their own. */
-struct SpiralReport : ScanFigures, OutlineFigures, TurnPlan, PathCounts, TightFigures, AxisCounts {
+struct SpiralReport : ScanReport, OutlineReport, TurnPlan, SpiralPathReport, TightReport, SpiralAxisReport {
   double foreseen_radial = 0.0;          ///< predicted length of the radial path, used to choose the method, mm; 0: not predicted
   double foreseen_scallop = 0.0;         ///< the same for ConstantScallop
   std::optional<BlockedWay> blocked_way; ///< set if a path was made and then refused for what stands around the part

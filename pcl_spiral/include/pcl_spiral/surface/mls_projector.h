@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/surface/surface_input.h>
 
 #include <pcl/point_cloud.h>

@@ -136,7 +136,7 @@ public:
 private:
   Status check() const;
   SurfaceSettings sidedSettings() const;
-  Status filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped, std::vector<LeftOut>& why) const;
+  Status filter(UsablePoints& usable, SurfaceReport& counts, std::vector<std::uint32_t>& dropped, std::vector<LeftOut>& why) const;
   Status run(Surface::ConstPtr& surface);
   Status checkSide(const Surface& surface) const;
   void addLeftOut(const std::vector<std::uint32_t>& indices, const std::vector<LeftOut>& why, LeftOutPoints& points) const;

@@ -7,8 +7,8 @@
 #include <pcl_spiral/cleaning/standing_cluster.h>
 #include <pcl_spiral/common/impl/progress.h>
 #include <pcl_spiral/common/status.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
 #include <pcl_spiral/surface/impl/scan_voids.h>
 #include <pcl_spiral/surface/surface_settings.h>
 
@@ -23,7 +23,7 @@
 namespace pcl_spiral {
 
 /** What happened to the points of a cloud: input is the sum of the entries down to used. */
-struct SurfaceCounts {
+struct SurfaceReport {
   std::size_t input = 0;          ///< of the cloud, or of its indices
   std::size_t nonfinite = 0;      ///< NaN, infinite, or marker values beyond 1e12
   std::size_t duplicate = 0;      ///< at the same place as an earlier point
@@ -43,6 +43,9 @@ struct SurfaceCounts {
   /** \deprecated Renamed offSurface. */
   [[deprecated("use offSurface")]] std::size_t strays() const { return offSurface(); }
 };
+
+/** \deprecated Use SurfaceReport. */
+using SurfaceCounts [[deprecated("use SurfaceReport")]] = SurfaceReport;
 
 /** Why a point is not part of the surface. */
 enum class LeftOut : std::uint8_t {
@@ -78,7 +81,7 @@ public:
     SurfaceGraph graph;                    ///< order, normals, spacing, triangles
     std::vector<std::uint32_t> source;     ///< cloud index of each point that the graph was built from; empty: the whole cloud, in order
     SurfaceSettings settings;              ///< by which it was made
-    SurfaceCounts counts;                  ///< what happened to the points
+    SurfaceReport counts;                  ///< what happened to the points
     LeftOutPoints left_out;                ///< points that are not part of it
     std::size_t input_size = 0;            ///< number of points in the cloud
     OuterSide side;                        ///< see side()
@@ -124,9 +127,10 @@ public:
   /** Number of points in the cloud, used or not. */
   std::size_t inputSize() const { return parts_->input_size; }
 
-  const SurfaceSettings& settings() const { return parts_->settings; } ///< The settings it was made with.
-  const SurfaceCounts& counts() const { return parts_->counts; }       ///< What happened to the points of the cloud.
-  const LeftOutPoints& leftOut() const { return parts_->left_out; }    ///< The points left out, and why.
+  const SurfaceSettings& settings() const { return parts_->settings; }                  ///< The settings it was made with.
+  const SurfaceReport& report() const { return parts_->counts; }                        ///< What happened to the points of the cloud.
+  [[deprecated("use report")]] const SurfaceReport& counts() const { return report(); } ///< \deprecated Use report.
+  const LeftOutPoints& leftOut() const { return parts_->left_out; }                     ///< The points left out, and why.
   /** True if normals, a view point or +z gave the outer side. If false, the convex side was taken. */
   bool sideIsClear() const { return parts_->side.vote != SideVote::Convex; }
   /** What decided the outer side, and how clearly. */
@@ -161,7 +165,7 @@ struct SurfacePoints {
  *  left out, or -1 if it was kept; empty if none was left out. \p counts holds what was dropped before. Fails on fewer than 50
  *  points, if the points form no surface, and when strict, if more than a tenth of them are isolated. The noise is not checked
  *  here; checkSingleSheet checks it for ScannedSurface. */
-Status makeSurface(SurfacePoints points, const SurfaceSettings& settings, const SurfaceCounts& counts, Surface::Parts& parts,
+Status makeSurface(SurfacePoints points, const SurfaceSettings& settings, const SurfaceReport& counts, Surface::Parts& parts,
                    std::vector<std::int8_t>& why);
 
 /** Make a surface from \p surface and further points, such as \p bridges over a gap. \p surface is released before the new

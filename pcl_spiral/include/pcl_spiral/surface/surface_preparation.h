@@ -12,8 +12,8 @@
 
 namespace pcl_spiral {
 
-/** The former name. */
-using PreparationCounts = SurfaceCounts;
+/** \deprecated Use SurfaceReport. */
+using PreparationCounts [[deprecated("use SurfaceReport")]] = SurfaceReport;
 
 /** ScannedSurface as a pcl::Filter. It leaves out points that are not part of the surface, thins on request, puts the rest in
  *  spatial order, and finds oriented normals.
@@ -104,7 +104,8 @@ public:
   void compute(PointCloud& cloud, pcl::PointCloud<pcl::Normal>& normals);
 
   const Status& getStatus() const { return status_; }        ///< result of the last run
-  const SurfaceCounts& getCounts() const { return counts_; } ///< What happened to the points in the last run.
+  const SurfaceReport& getReport() const { return counts_; } ///< What happened to the points in the last run.
+  [[deprecated("use getReport")]] const SurfaceReport& getCounts() const { return getReport(); } ///< \deprecated Use getReport.
   /** Index in the input of each output point. */
   const pcl::Indices& getSourceIndices() const { return source_indices_; }
   /** The surface of the last run, for the stages that follow (setInputSurface); null before a run and on failure. */
@@ -126,7 +127,7 @@ private:
   ScannedSurface<PointT> scanned_;
   Surface::ConstPtr surface_;
   Status status_;
-  SurfaceCounts counts_;
+  SurfaceReport counts_;
   pcl::Indices source_indices_;
 };
 

@@ -27,10 +27,11 @@ public:
    *  or unfit reference or toolpath, no path point on the reference, or cancelled. */
   void compute(pcl::PointCloud<pcl::PointXYZI>& output);
 
-  const DeviationFigures& getFigures() const { return figures_; } ///< Figures of the last compute.
+  const DeviationReport& getReport() const { return figures_; }                                     ///< Figures of the last compute.
+  [[deprecated("use getReport")]] const DeviationReport& getFigures() const { return getReport(); } ///< \deprecated Use getReport.
 
 private:
-  DeviationFigures figures_;
+  DeviationReport figures_;
 };
 
 } // namespace pcl_spiral

@@ -46,7 +46,7 @@ struct TurnWobble {
 };
 
 /** Figures of a path against a scan or a mesh. Lengths in mm, angles in degrees. */
-struct DeviationFigures {
+struct DeviationReport {
   std::size_t points = 0;           ///< of the path
   std::size_t measured = 0;         ///< points with data of the scan around them: the figures are for these
   std::size_t beyond_rim = 0;       ///< just outside the outermost points; measured against the extended surface
@@ -78,8 +78,11 @@ struct DeviationFigures {
   Diagnostics warnings;             ///< in full sentences, with the remedy
 };
 
+/** \deprecated Use DeviationReport. */
+using DeviationFigures [[deprecated("use DeviationReport")]] = DeviationReport;
+
 /** Heights above the surface, one value per place. */
-struct StockFigures {
+struct StockReport {
   std::size_t samples = 0;  ///< places with a height
   std::size_t uncut = 0;    ///< samples without anything met within the reach; their height is then the reach
   double p50 = 0.0;         ///< median height, mm
@@ -88,26 +91,29 @@ struct StockFigures {
   double p999 = 0.0;        ///< 99.9th percentile
   PlacedValue max;          ///< the largest height
   PlacedValue first_uncut;  ///< the first place where nothing was met
-  double share_above = 0.0; ///< of the samples, above RemovalFigures::limit
+  double share_above = 0.0; ///< of the samples, above RemovalReport::limit
   /** Share of the samples that are uncut. */
   double uncutShare() const { return samples ? static_cast<double>(uncut) / static_cast<double>(samples) : 0.0; }
 };
 
+/** \deprecated Use StockReport. */
+using StockFigures [[deprecated("use StockReport")]] = StockReport;
+
 /** Figures of a path from what its cutter leaves. Indices are those of path points. */
-struct RemovalFigures {
+struct RemovalReport {
   std::size_t reference_points = 0; ///< of the scan, or samples of the mesh
   std::size_t unmeasured = 0;       ///< reference points without a fit of the surface
-  StockFigures stock;               ///< at the reference points farther than one step-over from the rim
-  StockFigures scallop;   ///< at the tops of the ridges next to these points; max also next to every path point and between path points
-  StockFigures rim;       ///< at the reference points within one step-over of the rim
+  StockReport stock;                ///< at the reference points farther than one step-over from the rim
+  StockReport scallop;    ///< at the tops of the ridges next to these points; max also next to every path point and between path points
+  StockReport rim;        ///< at the reference points within one step-over of the rim
   PlacedValue gouge;      ///< deepest, at reference points and along every move; 0 if there is none
   PlacedValue rim_gouge;  ///< the same at the rim, just outside the outermost points; not looked for in gaps
   PlacedValue face_depth; ///< of a mesh: deepest below its flat faces as they are, off its creases; hollow curved faces lie below them
   PlacedValue face_gouge; ///< how much of such a depth is the most that the bends between the faces do not explain, see bendDepth
-  StockFigures unreached; ///< at the reference points that a ball of this radius does not reach, and within one spacing of them. Not
+  StockReport unreached;  ///< at the reference points that a ball of this radius does not reach, and within one spacing of them. Not
                           ///< part of the other figures
   double fitting_radius = 0.0; ///< of the largest ball that reaches everything, at most that of the tool; mm
-  StockFigures crease;         ///< at the reference points within crease_band of a crease of the mesh, above the mesh
+  StockReport crease;          ///< at the reference points within crease_band of a crease of the mesh, above the mesh
                                ///< itself. Not part of the other figures: a ball leaves stock in every hollow crease
   PlacedValue crease_gouge;    ///< the deepest there
   double crease_band = 0.0;    ///< see ReferenceSurface::creaseBand
@@ -124,6 +130,9 @@ struct RemovalFigures {
   Diagnostics warnings;        ///< in full sentences, with the remedy
 };
 
+/** \deprecated Use RemovalReport. */
+using RemovalFigures [[deprecated("use RemovalReport")]] = RemovalReport;
+
 /** A place where the tool would be in the scan. Lengths in mm. */
 struct LeadCollision {
   ToolPart part = ToolPart::Cutter;              ///< that collides
@@ -136,11 +145,14 @@ struct LeadCollision {
 };
 
 /** What LeadCheck or HolderCheck found. */
-struct LeadFigures {
+struct LeadReport {
   std::size_t moves = 0;           ///< moves looked at: those that do not cut, or of HolderCheck those that do
   std::size_t collided = 0;        ///< number of these moves with a collision
   LeadCollision deepest;           ///< if there is one
   std::vector<std::size_t> blocks; ///< of LeadCheck, the ends of the moves with a collision
 };
+
+/** \deprecated Use LeadReport. */
+using LeadFigures [[deprecated("use LeadReport")]] = LeadReport;
 
 } // namespace pcl_spiral

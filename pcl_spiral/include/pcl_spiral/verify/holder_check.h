@@ -27,7 +27,7 @@ namespace pcl_spiral {
  *  check.setHolder({ToolSegment::cylinder(12.0, 40.0, "chuck")});
  *  check.compute(ballPasses(path, 5.0));
  *  if (!check.getStatus().ok()) ...            // could not be looked at
- *  if (check.getFigures().collided > 0) ...    // check.getFigures().deepest says where
+ *  if (check.getReport().collided > 0) ...    // check.getReport().deepest says where
  *  \endcode */
 template <typename PointT>
 class HolderCheck : public ToolCheck<PointT> {

@@ -26,7 +26,7 @@ namespace pcl_spiral {
  *  check.setCutter(CutterShape::ball(5.0));
  *  check.compute(program);
  *  if (!check.getStatus().ok()) ...            // could not be looked at
- *  if (check.getFigures().collided > 0) ...    // check.getFigures().deepest says where
+ *  if (check.getReport().collided > 0) ...    // check.getReport().deepest says where
  *  \endcode */
 template <typename PointT>
 class LeadCheck : public ToolCheck<PointT> {

@@ -58,7 +58,8 @@ public:
    *  toolpath, a surface or reference with a cloud of another size, a setting or index out of range, or cancelled. */
   void compute(pcl::PointCloud<pcl::PointXYZI>& output);
 
-  const RemovalFigures& getFigures() const { return figures_; } ///< Figures of the last compute.
+  const RemovalReport& getReport() const { return figures_; }                                     ///< Figures of the last compute.
+  [[deprecated("use getReport")]] const RemovalReport& getFigures() const { return getReport(); } ///< \deprecated Use getReport.
   /** Height of the ridge next to each output point, mm; NaN near the rim and where none was found. */
   const std::vector<float>& getRidgeHeights() const { return ridge_heights_; }
 
@@ -69,7 +70,7 @@ private:
   CutterShape cutter_;
   Polyline tips_;
   double scallop_height_ = 0.0, reach_ = 0.0;
-  RemovalFigures figures_;
+  RemovalReport figures_;
   std::vector<float> ridge_heights_;
 };
 

@@ -20,7 +20,7 @@ namespace pcl_spiral {
  *
  *  Noise moves single points to both sides; what smoothing took of the shape moves neighbouring points to the same side. So the mean of
  *  neighbouring points tells what was lost. */
-struct RawScanFigures {
+struct RawScanReport {
   static constexpr int mean_of = 25; ///< neighbouring points in a mean: the noise of a mean is a fifth of that of a point
 
   std::size_t points = 0;              ///< that have a surface near them
@@ -37,10 +37,13 @@ struct RawScanFigures {
   double leastMean() const { return 4.0 * noise / 5.0 + fit_error; }
 };
 
+/** \deprecated Use RawScanReport. */
+using RawScanFigures [[deprecated("use RawScanReport")]] = RawScanReport;
+
 /** Measures \p raw, of the same coordinates as \p smoothed; points that are not finite do not count. */
-RawScanFigures compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw);
+RawScanReport compareWithRaw(const Surface& smoothed, const std::vector<Eigen::Vector3f>& raw);
 
 /** What to tell of \p figures of the raw scan \p name. */
-Diagnostic smoothingText(const RawScanFigures& figures, const std::string& name);
+Diagnostic smoothingText(const RawScanReport& figures, const std::string& name);
 
 } // namespace pcl_spiral

@@ -46,7 +46,7 @@ struct PlaybackScene {
   std::vector<ToolSegment> holder;             ///< shank and holder above it, from the flank upwards; empty: a shank as wide as the cutter
   Polyline tips;                               ///< one for each point of the path; empty: from the contacts
   std::optional<ProgramFile> program;          ///< that was judged; absent: one of the machine is made of the path
-  std::vector<std::size_t> lines;              ///< ProgramFigures::lines, if there is a program
+  std::vector<std::size_t> lines;              ///< ProgramFileReport::lines, if there is a program
   Machine machine;                             ///< for a path
   double feed = 1000.0;                        ///< of a path, mm/min
   ControlKind control = ControlKind::LinuxCNC; ///< whose times are shown

@@ -16,12 +16,12 @@ namespace pcl_spiral {
 /** Contents of the pictures; lengths in mm. Values as
  *  DeviationEstimation and MaterialRemoval give them. */
 struct VerificationScene {
-  PictureScene part;                  ///< its cloud is the reference; of its report only the loops are used
-  std::vector<float> deviation;       ///< one per path point; NaN: not measured
-  std::vector<float> stock;           ///< one per reference point; negative: gouge; NaN: not part of the surface
-  std::vector<float> ridges;          ///< one per reference point; NaN: none
-  DeviationFigures deviation_figures; ///< of the deviations
-  RemovalFigures removal_figures;     ///< the chord error and scallop height of the scene are those by which it was judged
+  PictureScene part;                 ///< its cloud is the reference; of its report only the loops are used
+  std::vector<float> deviation;      ///< one per path point; NaN: not measured
+  std::vector<float> stock;          ///< one per reference point; negative: gouge; NaN: not part of the surface
+  std::vector<float> ridges;         ///< one per reference point; NaN: none
+  DeviationReport deviation_figures; ///< of the deviations
+  RemovalReport removal_figures;     ///< the chord error and scallop height of the scene are those by which it was judged
 };
 
 struct DisplaySurface;

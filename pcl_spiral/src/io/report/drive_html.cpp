@@ -19,7 +19,7 @@ void
 addPath(HtmlPage& page, const DriveRun& run, const PassPlan& result)
 {
   const DriveReport& d = result.drive;
-  const LocationFigures& f = result.locations;
+  const LocationReport& f = result.locations;
   page.addHeading("Toolpath");
   HtmlRows rows{{"Drive path", choiceName(run.drive.kind)},
                 {"Passes", std::to_string(result.passes.size())},
@@ -52,7 +52,7 @@ addPart(HtmlPage& page, const Vocabulary& words, const PassPlan& result)
   HtmlRows rows;
   if (result.mesh) {
     rows.push_back({"Faces, vertices", formatted("%zu, %zu", result.mesh->faceCount(), result.mesh->vertexCount())});
-    if (const Diagnostic found = findingsText(result.mesh->counts()); !found.empty())
+    if (const Diagnostic found = findingsText(result.mesh->report()); !found.empty())
       rows.push_back({"Found in it", found.text(words)});
   }
   else {

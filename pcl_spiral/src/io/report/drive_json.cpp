@@ -43,7 +43,7 @@ rowsOf(const DriveReport& report)
 Json
 meshOf(const SurfaceMesh& mesh)
 {
-  const MeshCounts& counts = mesh.counts();
+  const MeshReport& counts = mesh.report();
   Json found;
   for (const auto& [words, finding] : mendedFindings(counts))
     found[words] = finding.count;

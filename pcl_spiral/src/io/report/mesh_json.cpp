@@ -20,7 +20,7 @@ findingJson(const MeshFinding& finding)
 Json
 meshJson(const RunMesh& mesh)
 {
-  const MeshCounts& c = mesh.counts;
+  const MeshReport& c = mesh.counts;
   return {{"given_faces", c.given_faces},
           {"faces", c.faces},
           {"vertices", c.vertices},

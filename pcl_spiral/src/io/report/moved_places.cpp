@@ -36,15 +36,15 @@ movedBy(const Eigen::Vector3d& shift, SpiralReport report)
 Verification
 movedBy(const Eigen::Vector3d& shift, Verification v)
 {
-  DeviationFigures& d = v.deviation;
-  RemovalFigures& r = v.removal;
+  DeviationReport& d = v.deviation;
+  RemovalReport& r = v.removal;
   if (shift.isZero())
     return v;
   for (PlacedValue* value : {&d.max, &d.rim_max, &d.gap_max, &d.crease_max, &d.normal_error, &d.first_opposed, &d.first_inward,
                              &d.wobble.max, &d.motion.gap, &d.motion.turn, &d.motion.axis_change, &d.motion.normal_change, &d.lift_max,
                              &r.gouge, &r.rim_gouge, &r.crease_gouge, &r.face_depth, &r.face_gouge, &v.tip_error})
     value->position += shift;
-  for (StockFigures* figures : {&r.stock, &r.scallop, &r.rim, &r.unreached, &r.crease})
+  for (StockReport* figures : {&r.stock, &r.scallop, &r.rim, &r.unreached, &r.crease})
     for (PlacedValue* value : {&figures->max, &figures->first_uncut})
       value->position += shift;
   return v;

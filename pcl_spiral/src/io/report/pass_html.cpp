@@ -9,7 +9,7 @@ namespace pcl_spiral {
 void
 addPassVerdict(HtmlPage& page, const PassPlan& plan)
 {
-  const LocationFigures& f = plan.locations;
+  const LocationReport& f = plan.locations;
   std::vector<std::string> grounds;
   if (f.collisions > 0)
     grounds.push_back(formatted("shank or holder collide at %zu locations, up to %.4g mm deep", f.collisions, f.deepest_collision));

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 Json
-statesOf(const LocationFigures& figures)
+statesOf(const LocationReport& figures)
 {
   Json states;
   for (std::size_t i = 0; i < location_states; ++i)
@@ -24,8 +24,8 @@ statesOf(const LocationFigures& figures)
 Json
 locationsOf(const PassPlan& result)
 {
-  const LocationFigures& f = result.locations;
-  const BisectionFigures& b = result.bisection;
+  const LocationReport& f = result.locations;
+  const BisectionReport& b = result.bisection;
   return {{"count", result.poseCount()},
           {"put_in", b.inserted},
           {"largest_error", b.largest_error},

@@ -94,7 +94,7 @@ addPath(HtmlPage& page, const SpiralReport& r, const SpiralSettings& s)
 HtmlRows
 meshRows(const RunMesh& mesh, const Vocabulary& words)
 {
-  const MeshCounts& c = mesh.counts;
+  const MeshReport& c = mesh.counts;
   HtmlRows rows{{"Mesh", formatted("%zu faces, %zu vertices, %zu boundaries", c.faces, c.vertices, c.loops)}};
   if (const Diagnostic found = findingsText(c); !found.empty())
     rows.push_back({"Found in it", found.text(words)});

@@ -19,7 +19,7 @@ toolText(const PassRun& run)
 }
 
 HtmlRows
-rowRows(const RidgeFigures& figures, const PassPlan& plan)
+rowRows(const RidgePlanReport& figures, const PassPlan& plan)
 {
   const RidgeReport& r = figures.ridge->report();
   HtmlRows rows{
@@ -39,7 +39,7 @@ rowRows(const RidgeFigures& figures, const PassPlan& plan)
 
 void
 writeRidgeReportHTML(const std::string& file, const ReportPage& page, const RunFiles& files, const RidgeRun& run, const PassPlan& plan,
-                     const RidgeFigures& figures, const std::vector<ReportPicture>& pictures)
+                     const RidgePlanReport& figures, const std::vector<ReportPicture>& pictures)
 {
   if (!figures.ridge)
     throw std::invalid_argument("writeRidgeReportHTML: the plan has no ridge; it is one of a planner that succeeded");

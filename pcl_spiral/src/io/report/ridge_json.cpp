@@ -74,7 +74,7 @@ foundOf(const ScanRidgeReport& f, const Eigen::Vector3d& shift)
 } // namespace
 
 std::string
-ridgeReportJSON(const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgeFigures& figures)
+ridgeReportJSON(const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgePlanReport& figures)
 {
   if (!figures.ridge)
     throw std::invalid_argument("ridgeReportJSON: the plan has no ridge; it is one of a planner that succeeded");
@@ -93,7 +93,8 @@ ridgeReportJSON(const RunFiles& files, const RidgeRun& run, const PassPlan& plan
 }
 
 void
-writeRidgeReportJSON(const std::string& file, const RunFiles& files, const RidgeRun& run, const PassPlan& plan, const RidgeFigures& figures)
+writeRidgeReportJSON(const std::string& file, const RunFiles& files, const RidgeRun& run, const PassPlan& plan,
+                     const RidgePlanReport& figures)
 {
   writeText(file, ridgeReportJSON(files, run, plan, figures));
 }

@@ -107,7 +107,7 @@ SceneBuilder::setProgram(const ShownProgram& program, const ShownPath& path)
 }
 
 void
-SceneBuilder::addProgram(const ProgramFile& program, const ProgramFigures& judged, const ShownPath& path)
+SceneBuilder::addProgram(const ProgramFile& program, const ProgramFileReport& judged, const ShownPath& path)
 {
   PlaybackInput input;
   input.path = path.points;

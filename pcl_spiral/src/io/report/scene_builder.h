@@ -29,7 +29,7 @@ public:
   /** Takes the blocks of \p program for moves along \p path. */
   void setProgram(const ShownProgram& program, const ShownPath& path);
   /** The same of a program that was judged along \p path. If its times are not known, it is shown as the path. */
-  void addProgram(const ProgramFile& program, const ProgramFigures& judged, const ShownPath& path);
+  void addProgram(const ProgramFile& program, const ProgramFileReport& judged, const ShownPath& path);
   /** The figures behind the colours; of several regions the widest range counts. \p chord_error: of the path, mm. */
   void addFigures(const Verification& judged, double chord_error);
   /** What the numbers of turns are: Turn, or Pass. */
@@ -47,7 +47,7 @@ private:
   pcl::PointCloud<ToolpathPoint>::Ptr path_ = pcl::make_shared<pcl::PointCloud<ToolpathPoint>>(); ///< all paths as one
   Polyline tips_;                                                                                 ///< one for each of its points; or empty
   std::vector<double> reached_; ///< when the tool is at each of its points
-  RemovalFigures judged_;       ///< limit and reach, the largest of all regions
+  RemovalReport judged_;        ///< limit and reach, the largest of all regions
 };
 
 } // namespace pcl_spiral

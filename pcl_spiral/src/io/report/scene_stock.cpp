@@ -40,7 +40,7 @@ takeStock(const Heights& judged, ScenePart& part)
 
 void
 findFalls(const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const Polyline& tips, const CutterShape& cutter,
-          const RemovalFigures& judged, const std::vector<double>& reached, ScenePart& part)
+          const RemovalReport& judged, const std::vector<double>& reached, ScenePart& part)
 {
   if (part.stock.empty() || part.cut_at.empty() || reached.empty())
     return;

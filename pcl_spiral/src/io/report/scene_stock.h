@@ -21,6 +21,6 @@ void takeStock(const Heights& judged, ScenePart& part);
 /** When the stock falls over each place whose stock was judged: first, and to what is left. \p reached: when the tool is at each point of
  *  \p path, s. \p judged: limit and reach. Where it cannot be found, all falls at ScenePart::cut_at. */
 void findFalls(const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const Polyline& tips, const CutterShape& cutter,
-               const RemovalFigures& judged, const std::vector<double>& reached, ScenePart& part);
+               const RemovalReport& judged, const std::vector<double>& reached, ScenePart& part);
 
 } // namespace pcl_spiral

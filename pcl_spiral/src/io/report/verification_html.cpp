@@ -123,7 +123,7 @@ toneOf(Verdict verdict)
 
 /** Whether the surface that a value is measured against is known well enough to show that value. */
 Row
-shownRow(const char* name, const std::optional<double>& value, const DeviationFigures& d)
+shownRow(const char* name, const std::optional<double>& value, const DeviationReport& d)
 {
   if (!value || !(*value > 0.0))
     return {};
@@ -137,7 +137,7 @@ shownRow(const char* name, const std::optional<double>& value, const DeviationFi
 }
 
 void
-addNoise(HtmlPage& page, const VerificationRun& run, const DeviationFigures& d)
+addNoise(HtmlPage& page, const VerificationRun& run, const DeviationReport& d)
 {
   page.addHeading(d.by_mesh ? "What the samples of the mesh can show" : "What the scan can show");
   HtmlRows rows{{d.by_mesh ? "Samples judged by" : "Scan points judged by", std::to_string(d.reference_points)}};
@@ -156,7 +156,7 @@ addNoise(HtmlPage& page, const VerificationRun& run, const DeviationFigures& d)
 void
 addMesh(HtmlRows& rows, const JudgedMesh& mesh)
 {
-  const MeshCounts& counts = mesh.counts;
+  const MeshReport& counts = mesh.counts;
   rows.push_back({"Faces judged", formatted("%zu of %zu%s", mesh.judged_faces, counts.faces, counts.closed ? ", closed" : "")});
   rows.push_back({"Rims", std::to_string(counts.loops)});
   rows.push_back({formatted("Creases, edges bent by more than %g\u00b0", mesh.settings.crease_angle),

@@ -18,7 +18,7 @@ meshJson(const std::optional<JudgedMesh>& mesh)
 {
   if (!mesh)
     return Json();
-  const MeshCounts& counts = mesh->counts;
+  const MeshReport& counts = mesh->counts;
   return {{"faces", counts.faces},
           {"vertices", counts.vertices},
           {"parts", counts.parts},

@@ -6,7 +6,7 @@
 
 #include "start_lines.h"
 #include <pcl_spiral/core/polyline.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 
 #include <optional>
 

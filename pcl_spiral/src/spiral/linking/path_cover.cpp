@@ -67,7 +67,7 @@ class Mover {
 public:
   Mover(const StepOverDistance& field, LinkedPath& path) : path_(path), tests_(field, path) {}
 
-  bool run(double held, const ProgressCallback& progress, CoverFigures& figures)
+  bool run(double held, const ProgressCallback& progress, CoverReport& figures)
   {
     if (!watch(held, partOf(progress, 0.0, 0.5), figures))
       return false;
@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  bool watch(double held, const ProgressCallback& progress, CoverFigures& figures);
+  bool watch(double held, const ProgressCallback& progress, CoverReport& figures);
   void findNear(const std::vector<std::size_t>& places, std::vector<std::uint8_t>& near) const;
   NearPath nearPath(const Watched& at) const;
   double distanceFrom(std::size_t segment, const CoverPlace& place, double& share) const;
@@ -116,7 +116,7 @@ private:
 
 /** Find the uncovered places, the parts of the path that may move towards them, and the test points these may uncover. */
 bool
-Mover::watch(double held, const ProgressCallback& progress, CoverFigures& figures)
+Mover::watch(double held, const ProgressCallback& progress, CoverReport& figures)
 {
   line_ = passLines(path_);
   if (!tests_.run(line_, partOf(progress, 0.0, 0.4)))
@@ -365,9 +365,9 @@ Mover::move()
 } // namespace
 
 bool
-coverPath(const StepOverDistance& field, double held, const ProgressCallback& progress, LinkedPath& path, CoverFigures& figures)
+coverPath(const StepOverDistance& field, double held, const ProgressCallback& progress, LinkedPath& path, CoverReport& figures)
 {
-  figures = CoverFigures();
+  figures = CoverReport();
   return Mover(field, path).run(held, progress, figures);
 }
 

@@ -12,7 +12,7 @@
 namespace pcl_spiral {
 
 /** What coverPath found, and what is left. */
-struct CoverFigures {
+struct CoverReport {
   std::size_t places = 0;                       ///< test points farther than half a step-over from the path before it was moved
   std::size_t left = 0;                         ///< and afterwards
   double farthest_before = 0.0, farthest = 0.0; ///< distance from the path, step-overs; half a step-over leaves the scallop height
@@ -24,6 +24,6 @@ struct CoverFigures {
  *  between ramps and bridges, and where the field is not a true distance. Each such place moves the nearest part of the path
  *  by the excess, which fades out over 0.8 step-overs to either side; at most 24 rounds. The first \p held step-overs of the
  *  path, on the rim, do not move. \return false when cancelled. */
-bool coverPath(const StepOverDistance& field, double held, const ProgressCallback& progress, LinkedPath& path, CoverFigures& figures);
+bool coverPath(const StepOverDistance& field, double held, const ProgressCallback& progress, LinkedPath& path, CoverReport& figures);
 
 } // namespace pcl_spiral

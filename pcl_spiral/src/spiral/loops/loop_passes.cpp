@@ -105,7 +105,7 @@ putLoopsOnSurface(const std::vector<ScallopLoop>& loops, const Surface& surface,
     if (const Status status = samplePath(path, surface, settings, points, longest_step); !status.ok())
       return status;
     SpiralPath on_surface;
-    GapFigures gaps;
+    GapReport gaps;
     if (const Status status = putOnSurface(points, surface, settings, longest_step, {}, on_surface, gaps); !status.ok())
       return status;
     passes.push_back(passOf(std::move(on_surface), settings));

@@ -3,7 +3,7 @@
 
 #include "surface/gap_filling.h"
 #include <pcl_spiral/core/diagnostic.h>
-#include <pcl_spiral/features/impl/surface_parts.h>
+#include <pcl_spiral/graph/impl/surface_parts.h>
 #include <pcl_spiral/spiral/impl/boundary_choice.h>
 #include <pcl_spiral/spiral/impl/loop_check.h>
 

@@ -117,7 +117,7 @@ easeBeside(const std::vector<Eigen::Vector3f>& obstacles, const SpiralPath& path
 
 /** The same axis everywhere; a ball touches the surface with its shank where they lie along each other. */
 Status
-setFixedAxis(const Eigen::Vector3d& axis, SpiralPath& path, AxisFigures& figures)
+setFixedAxis(const Eigen::Vector3d& axis, SpiralPath& path, AxisReport& figures)
 {
   constexpr double flattest = 89.0; // degrees
   const AxisLean lean = largestLean(path.normals, std::vector<Eigen::Vector3d>(path.normals.size(), axis));
@@ -144,7 +144,7 @@ fastMoves(const SpiralPath& path, double rate)
 } // namespace
 
 Status
-setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisFigures& figures, Diagnostics& warnings,
+setToolAxes(const SpiralSettings& settings, SpiralPath& path, AxisReport& figures, Diagnostics& warnings,
             const std::vector<Eigen::Vector3f>& obstacles)
 {
   if (const Status status = checkGiven(path.contacts.size(), "the path"); !status.ok())

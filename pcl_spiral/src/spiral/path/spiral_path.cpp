@@ -104,9 +104,9 @@ isOverGap(const Surface& surface, const Eigen::Vector3d& place, std::uint32_t ne
 }
 
 Status
-measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapFigures& figures)
+measureGaps(const SpiralPath& path, const SpiralSettings& settings, GapReport& figures)
 {
-  figures = GapFigures();
+  figures = GapReport();
   const auto first = std::find_if(path.over_gap.begin(), path.over_gap.end(), [](std::uint8_t over) { return over != 0; });
   for (auto i = static_cast<std::size_t>(first - path.over_gap.begin()); i < path.contacts.size(); ++i) {
     figures.points += path.over_gap[i];
@@ -125,7 +125,7 @@ namespace {
 /** \p known: feet that need not be found again; null: none. */
 Status
 putOnSurface(const std::vector<SpiralPoint>& curve, const CurveFeet* known, const Surface& surface, const SpiralSettings& settings,
-             double longest_step, const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach)
+             double longest_step, const ProgressCallback& progress, SpiralPath& path, GapReport& figures, const BallReach* reach)
 {
   if (const Status status = checkGiven(curve.size(), "the curve"); !status.ok())
     return status;
@@ -212,23 +212,23 @@ jumpAt(const SpiralPath& path, std::size_t i, double longest_step)
 
 Status
 putOnSurface(const std::vector<SpiralPoint>& curve, const Surface& surface, const SpiralSettings& settings, double longest_step,
-             const ProgressCallback& progress, SpiralPath& path, GapFigures& figures, const BallReach* reach)
+             const ProgressCallback& progress, SpiralPath& path, GapReport& figures, const BallReach* reach)
 {
   return putOnSurface(curve, nullptr, surface, settings, longest_step, progress, path, figures, reach);
 }
 
 Status
 putOnSurface(const SpiralTurns& turns, const Surface& surface, const SpiralSettings& settings, const ProgressCallback& progress,
-             SpiralPath& path, GapFigures& figures, const BallReach* reach)
+             SpiralPath& path, GapReport& figures, const BallReach* reach)
 {
   return putOnSurface(turns.curve, &turns.feet, surface, settings, turns.largest_allowed_step, progress, path, figures, reach);
 }
 
 Status
 checkPath(const SpiralPath& path, const SpiralSettings& settings, double longest_step, const ProgressCallback& progress,
-          PathFigures& figures, bool own_curve)
+          ToolpathReport& figures, bool own_curve)
 {
-  figures = PathFigures();
+  figures = ToolpathReport();
   if (const Status status = checkGiven(path.contacts.size(), "the path"); !status.ok())
     return status;
   const Polyline& feet = path.onSurface();

@@ -20,14 +20,14 @@ constexpr double widest_steps = 5.0; // flat step-overs: metrics allow 4.5, see 
 } // namespace
 
 void
-measureTurns(const SpiralPath& path, const SpiralSettings& settings, PathFigures& figures)
+measureTurns(const SpiralPath& path, const SpiralSettings& settings, ToolpathReport& figures)
 {
   std::optional<std::size_t> crossing;
   measureTurns(path, settings, {}, figures, crossing);
 }
 
 void
-measureTurns(const SpiralPath& path, const SpiralSettings& settings, const std::function<bool(double)>& go_on, PathFigures& figures,
+measureTurns(const SpiralPath& path, const SpiralSettings& settings, const std::function<bool(double)>& go_on, ToolpathReport& figures,
              std::optional<std::size_t>& crossing)
 {
   const TurnedPath turned{path.onSurface(), path.turns, path.passes};
@@ -42,7 +42,7 @@ measureTurns(const SpiralPath& path, const SpiralSettings& settings, const std::
     neighbours.along[i] = by_length ? path.arc_lengths[i] : path.turns[i];
   neighbours.apart = by_length ? steps_apart * flat : turns_apart;
   neighbours.within = widest_steps * flat;
-  const MoveFigures moves = measureMoves(path, neighbours, settings.chord_error, go_on);
+  const MoveReport moves = measureMoves(path, neighbours, settings.chord_error, go_on);
   figures.closest = moves.closest;
   crossing = moves.crossing;
 }

@@ -77,9 +77,9 @@ public:
     first_ = first;
   }
 
-  MoveFigures figures() const
+  MoveReport figures() const
   {
-    MoveFigures found;
+    MoveReport found;
     if (first_ < moves())
       found.crossing = static_cast<std::size_t>(first_);
     if (least_.point < contacts_.size())
@@ -125,7 +125,7 @@ private:
 
 } // namespace
 
-MoveFigures
+MoveReport
 measureMoves(const SpiralPath& path, const TurnNeighbours& neighbours, double slack, const std::function<bool(double)>& go_on)
 {
   MoveWalk moves(path, neighbours, slack);

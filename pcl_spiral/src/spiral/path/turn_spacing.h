@@ -22,18 +22,18 @@ struct TurnNeighbours {
 };
 
 /** What the moves of a path are to each other. */
-struct MoveFigures {
+struct MoveReport {
   std::optional<std::size_t> crossing; ///< the first move that crosses another, see firstSelfCrossing
   ClosestTurns closest;                ///< the smallest distance between a counted point and a move between two such points
 };
 
 /** Crossings and closest turns of \p path, in one walk over pairs of moves. \p go_on: as in firstSelfCrossing; after false the figures are
  *  not those of the whole path. Time is nearly linear in the number of points; memory is about 20 bytes per point. */
-MoveFigures measureMoves(const SpiralPath& path, const TurnNeighbours& neighbours, double slack,
-                         const std::function<bool(double)>& go_on = {});
+MoveReport measureMoves(const SpiralPath& path, const TurnNeighbours& neighbours, double slack,
+                        const std::function<bool(double)>& go_on = {});
 
 /** measureTurns with the first crossing, if any, into \p crossing. \p go_on: as above. */
-void measureTurns(const SpiralPath& path, const SpiralSettings& settings, const std::function<bool(double)>& go_on, PathFigures& figures,
+void measureTurns(const SpiralPath& path, const SpiralSettings& settings, const std::function<bool(double)>& go_on, ToolpathReport& figures,
                   std::optional<std::size_t>& crossing);
 
 } // namespace pcl_spiral

@@ -99,7 +99,7 @@ shortestWays(const PublishedLineRequest& request, const NeighbourLists& edges, c
 
 /** Make geodesics of the ways: (2)-(7), with (8)-(11) between the steps. */
 Status
-refine(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines, PublishedLineFigures& figures)
+refine(const PublishedLineRequest& request, std::vector<GeodesicLine>& lines, PublishedLineReport& figures)
 {
   RefinementOptions options;
   options.method = RefinementMethod::ConjugateGradientNewton;
@@ -215,7 +215,7 @@ publishedLineCount(double rim_length, double chord_error, double spacing)
 }
 
 Status
-publishedLines(const PublishedLineRequest& request, RadialLineSet& set, PublishedLineFigures& figures)
+publishedLines(const PublishedLineRequest& request, RadialLineSet& set, PublishedLineReport& figures)
 {
   const SurfaceGraph& graph = request.surface.graph();
   const RimCurve rim(request.rim, request.start_point.value_or(request.rim.curve.front()));

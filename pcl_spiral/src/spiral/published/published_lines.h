@@ -26,7 +26,7 @@ struct PublishedLineRequest {
 };
 
 /** Figures about the lines. */
-struct PublishedLineFigures {
+struct PublishedLineReport {
   std::size_t unsettled = 0; ///< geodesics whose last step was still more than the chord error sideways
   double largest_move = 0.0; ///< mm: the most any of them still moved
 };
@@ -47,6 +47,6 @@ std::size_t publishedLineCount(double rim_length, double chord_error, double spa
  *  curvatures of (12); normals and positions are those of the projection. If the graph does not lead to the rim,
  *  or if a line leaves the surface, it fails and names the place. Crossing lines are not searched for
  *  here. */
-Status publishedLines(const PublishedLineRequest& request, RadialLineSet& set, PublishedLineFigures& figures);
+Status publishedLines(const PublishedLineRequest& request, RadialLineSet& set, PublishedLineReport& figures);
 
 } // namespace pcl_spiral

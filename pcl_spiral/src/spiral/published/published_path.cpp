@@ -21,7 +21,7 @@ Status
 publishedCurve(const SurfaceGraph& graph, const SpiralSettings& settings, PublishedResult& result, std::vector<SpiralPoint>& curve)
 {
   const RadialLineSet& set = result.lines;
-  PublishedFigures& figures = result.figures;
+  PublishedReport& figures = result.figures;
   const auto step_over = stepOverPublished(settings.tool_radius, settings.scallop_height); // (16)
   if (!step_over)
     return {StatusCode::InvalidArgument,
@@ -97,7 +97,7 @@ publishedAxes(const SpiralSettings& settings, PublishedResult& result)
   const auto axes = settings.fixed_axis
                         ? std::vector<Eigen::Vector3d>(result.contacts.size(), settings.fixed_axis->normalized())
                         : tiltedAxes(result.contacts, result.normals, settings.tilt_angle * degree, settings.lead_angle * degree);
-  PublishedFigures& figures = result.figures;
+  PublishedReport& figures = result.figures;
   result.axes.resize(axes.size());
   for (std::size_t i = 0; i < axes.size(); ++i) {
     result.axes[i] = axes[i].cast<float>();

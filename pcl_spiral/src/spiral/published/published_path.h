@@ -4,9 +4,9 @@
  */
 #pragma once
 
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/spiral/impl/published_spiral.h>
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <functional>
 #include <vector>

@@ -110,9 +110,9 @@ private:
     if (!choice.inner)
       if (const Status status = findCentre(surface, *choice.rim, request.centre); !status.ok())
         return status;
-    PublishedLineFigures found;
+    PublishedLineReport found;
     const Status status = publishedLines(request, result_.lines, found);
-    PublishedFigures& figures = result_.figures;
+    PublishedReport& figures = result_.figures;
     figures.lines = result_.lines.lines.size();
     figures.unsettled_lines = found.unsettled;
     figures.largest_line_move = found.largest_move;

@@ -88,7 +88,7 @@ private:
 
   PlaybackScene scene_;
   PlaybackInput input_;
-  RemovalFigures removal_;
+  RemovalReport removal_;
   PlaybackTime time_;
   std::optional<std::string> fault_; ///< of prepare
   double seconds_ = 0.0, speed_ = 1.0;

@@ -58,7 +58,7 @@ void
 BallClosing<PointT>::compute(pcl::PointCloud<pcl::PointXYZ>& closed)
 {
   view_ = ClosedView();
-  figures_ = ClosingFigures();
+  figures_ = ClosingReport();
   status_ = Status::unfinished();
   status_ = run(); // reads the input, which may be the same cloud
   closed.clear();

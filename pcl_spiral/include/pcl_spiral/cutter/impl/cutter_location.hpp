@@ -168,7 +168,7 @@ CutterLocation<PointT>::locate(const CutterLocationEngine& locator, std::vector<
   const bool turns = options_.max_retilt > 0.0 && options_.retilt_step > 0.0;
   for (const double margin : margins) {
     std::vector<ToolLocations> located = inPasses(locations);
-    BisectionFigures bisection;
+    BisectionReport bisection;
     if (const Status status = turns ? retilt(locator, margin, located) : Status::success(); !status.ok())
       return status;
     if (const Status status = bisect(locator, located, bisection); !status.ok())
@@ -176,7 +176,7 @@ CutterLocation<PointT>::locate(const CutterLocationEngine& locator, std::vector<
     ToolLocations all;
     for (const ToolLocations& pass : located)
       all.insert(all.end(), pass.begin(), pass.end());
-    LocationFigures figures = locator.figures(all);
+    LocationReport figures = locator.figures(all);
     if (passes.empty() || figures.collisions < figures_.collisions) {
       passes = std::move(located);
       figures_ = std::move(figures);
@@ -206,7 +206,7 @@ CutterLocation<PointT>::retilt(const CutterLocationEngine& locator, double margi
 /** Adds locations between those of \p passes, if there is a tolerance. */
 template <typename PointT>
 Status
-CutterLocation<PointT>::bisect(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes, BisectionFigures& figures) const
+CutterLocation<PointT>::bisect(const CutterLocationEngine& locator, std::vector<ToolLocations>& passes, BisectionReport& figures) const
 {
   if (path_tolerance_ == 0.0)
     return Status::success();
@@ -244,8 +244,8 @@ void
 CutterLocation<PointT>::compute(std::vector<ToolLocations>& passes)
 {
   passes.clear();
-  figures_ = LocationFigures();
-  bisection_figures_ = BisectionFigures();
+  figures_ = LocationReport();
+  bisection_figures_ = BisectionReport();
   location_surface_.reset();
   std::vector<ToolLocations> made;
   if (this->computeBy("CutterLocation", [&] { return run(made); }))

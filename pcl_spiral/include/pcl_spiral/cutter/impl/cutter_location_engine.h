@@ -58,7 +58,7 @@ public:
    *  \p allowed if that depth is no more than \p allowed and the ball is nowhere farther off the mesh than that. */
   double moveError(const CutterPlace& from, const CutterPlace& to, double allowed) const;
 
-  LocationFigures figures(const ToolLocations& locations) const;
+  LocationReport figures(const ToolLocations& locations) const;
 
   const CutterProfile& profile() const { return profile_; }
 

@@ -28,6 +28,6 @@ struct BisectionSettings {
  *  removed again if the cutter shifts by no more than the other half. Given locations stay. The same for any number
  *  of threads. Fails as CutterLocationEngine::locate does, and on a setting out of range; \p passes are then unchanged. */
 Status bisectLocations(const CutterLocationEngine& locator, const BisectionSettings& settings, const ProgressCallback& progress,
-                       std::vector<ToolLocations>& passes, BisectionFigures& figures);
+                       std::vector<ToolLocations>& passes, BisectionReport& figures);
 
 } // namespace pcl_spiral

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <pcl_spiral/common/status.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/surface/surface.h>
 
 #include <cstddef>
@@ -34,7 +34,7 @@ public:
   const Status& whyNone() const { return surface_status_; }
   const MlsSurface& surface() const { return surface_->fit(); }
   /** Outliers: points left out of the surface, but still obstacles. */
-  std::size_t outlierPoints() const { return surface_->counts().offSurface(); }
+  std::size_t outlierPoints() const { return surface_->report().offSurface(); }
   /** Corners of the triangulation's edges that have a triangle on one side only, along loops
    *  longer than eight spacings. Beyond them, or in the gap they bound, nothing is known. */
   const PointBlocks& rim() const { return rim_; }

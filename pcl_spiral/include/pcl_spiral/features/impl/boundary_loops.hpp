@@ -38,7 +38,7 @@ void
 BoundaryLoops<PointT, PointNT>::compute(std::vector<BoundaryLoop>& loops)
 {
   loops.clear();
-  counts_ = BoundaryCounts();
+  counts_ = BoundaryReport();
   std::vector<BoundaryLoop> found;
   if (this->computeBy("BoundaryLoops", [&] { return run(found); }))
     loops = std::move(found);

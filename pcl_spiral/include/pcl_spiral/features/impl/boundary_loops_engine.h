@@ -6,9 +6,9 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
-#include <pcl_spiral/features/impl/surface_parts.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/graph/impl/surface_parts.h>
 #include <pcl_spiral/surface/surface.h>
 
 #include <cstddef>
@@ -45,14 +45,14 @@ struct BoundaryOptions {
  *  or if an option is out of range.
  */
 Status findBoundaryLoops(const MlsSurface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
-                         BoundaryCounts* counts = nullptr);
+                         BoundaryReport* counts = nullptr);
 
 /** The same; indices refer to the cloud that the surface was made from. */
 Status findBoundaryLoops(const Surface& surface, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
-                         BoundaryCounts* counts = nullptr);
+                         BoundaryReport* counts = nullptr);
 
 /** The same with a surface made for this call. */
 Status findBoundaryLoops(const SurfaceGraph& graph, const BoundaryOptions& options, std::vector<BoundaryLoop>& loops,
-                         BoundaryCounts* counts = nullptr);
+                         BoundaryReport* counts = nullptr);
 
 } // namespace pcl_spiral

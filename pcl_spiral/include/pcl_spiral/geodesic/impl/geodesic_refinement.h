@@ -4,8 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/geodesic/geodesic_line.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <vector>
 

@@ -77,9 +77,9 @@ protected:
   /** Ok, or an error if \p surface has guessed points in its gaps. \p objection: why they cannot be used. */
   static Status checkMeasured(const Surface& surface, const std::string& objection)
   {
-    if (surface.counts().guessed == 0)
+    if (surface.report().guessed == 0)
       return Status::success();
-    return {StatusCode::InvalidInput, Diagnostic("the surface has ", surface.counts().guessed, " points that were put into gaps, ",
+    return {StatusCode::InvalidInput, Diagnostic("the surface has ", surface.report().guessed, " points that were put into gaps, ",
                                                  objection, ": give the surface as it was before {GapBridging}")};
   }
 

@@ -59,7 +59,7 @@ struct JudgedPart {
   ChosenPart chosen;                                 ///< of the scan
   ClusterHandling clusters = ClusterHandling::Ride;  ///< what clusters on it are
   std::shared_ptr<const ReferenceSurface> reference; ///< its surface; null until a path is judged
-  std::optional<RawScanFigures> raw;                 ///< the raw scan beside it; absent until a path is judged, and without one
+  std::optional<RawScanReport> raw;                  ///< the raw scan beside it; absent until a path is judged, and without one
 };
 
 /** Judges one path after the other; the surface of each region is made once. */
@@ -86,7 +86,7 @@ private:
   Status makeReference(std::size_t region, double from, double to);
   Status readContacts(const GivenPath& given, std::size_t region, JudgedPath& judged);
   Status readProgram(const ProgramFile& file, std::size_t region, JudgedPath& judged);
-  Status checkOtherMoves(const ProgramFile& read, const JudgedPart& part, ProgramFigures& figures) const;
+  Status checkOtherMoves(const ProgramFile& read, const JudgedPart& part, ProgramFileReport& figures) const;
 
   JudgedInput input_;
   std::vector<JudgedPart> parts_;

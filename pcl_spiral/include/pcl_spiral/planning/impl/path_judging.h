@@ -68,7 +68,7 @@ Status judgePath(const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& scan, const pcl
 double leanOf(const pcl::PointCloud<ToolpathPoint>& path);
 
 /** What is wrong where the path cuts into the \p raw scan, deeper than \p allowed and the noise of its means. Empty: nothing. */
-Diagnostic faultInRaw(const RawScanFigures& raw, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
+Diagnostic faultInRaw(const RawScanReport& raw, const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings,
                       double allowed);
 
 /** What a path must keep off, apart from the surface it is on. */
@@ -88,10 +88,10 @@ Diagnostics faultsBeside(const JudgedSurroundings& around, const Surface& refere
 /** Adds to \p verification of \p path the verdicts: limits broken and unproven, poses that are wrong, what the cutter meets \p around, and
  *  cuts into the \p raw scan, if it is not null. */
 void addVerdicts(const Limits& limits, const JudgedSurroundings& around, const ReferenceSurface& reference,
-                 const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, const RawScanFigures* raw,
+                 const pcl::PointCloud<ToolpathPoint>::ConstPtr& path, const JudgeSettings& settings, const RawScanReport* raw,
                  const std::string& raw_name, Verification& verification);
 
 /** Compares the \p raw scan with the \p smoothed surface; InvalidInput if most of its points are not near. */
-Status compareRawScan(const pcl::PointCloud<pcl::PointXYZ>& raw, const Surface& smoothed, RawScanFigures& figures);
+Status compareRawScan(const pcl::PointCloud<pcl::PointXYZ>& raw, const Surface& smoothed, RawScanReport& figures);
 
 } // namespace pcl_spiral

@@ -34,20 +34,20 @@ Status makeStepOverField(const Surface& surface, const std::vector<BoundaryLoop>
  *  more of \p field than requested; with a null pointer it is not moved. The output of class LoopLinking. Settings used:
  *  direction, sense, one way. With Outward every pass runs outward, and the one along the rim is last. */
 Status makeScallopPath(std::vector<ScallopLoop> loops, const StepOverDistance* field, const SpiralSettings& settings,
-                       const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures);
+                       const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopReport& figures);
 
 /** The figures of \p path itself: step-overs, bridges, the share against the sense, lifts. */
-void measureLinked(const LinkedPath& path, ScallopFigures& figures);
+void measureLinked(const LinkedPath& path, ScallopReport& figures);
 
 /** One path over \p loops as makeScallopPath makes it; without loops, over those of makeScallopLoops on \p field. */
 Status linkOnField(const StepOverDistance* field, std::vector<ScallopLoop> loops, const SpiralSettings& settings,
-                   const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopFigures& figures);
+                   const ProgressCallback& progress, StageClock& clock, LinkedPath& path, ScallopReport& figures);
 
 /** The curve of a path over \p surface between the rim and holes among \p loops, each of type Outer or Inner: distances from them
  *  in step-overs (makeStepOverField), loops that cover everything (makeScallopLoops), one path over these (makeScallopPath), its
  *  points (samplePath). Settings used: tool radius, scallop height, chord error, longest step, direction, sense. \p drop: the
  *  triangles of \p surface, which the field has its own of, are given up. */
 Status planConstantScallop(Surface::ConstPtr& surface, const std::vector<BoundaryLoop>& loops, const SpiralSettings& settings,
-                           const ProgressCallback& progress, bool drop, StageClock& clock, SpiralTurns& turns, ScallopFigures& figures);
+                           const ProgressCallback& progress, bool drop, StageClock& clock, SpiralTurns& turns, ScallopReport& figures);
 
 } // namespace pcl_spiral

@@ -38,12 +38,12 @@ Status checkGivenParts(const GivenParts& given, const SpiralSettings& settings, 
  *  field or of loops are not \p boundaries, and if a path runs into a hole among these. */
 Status planGiven(const GivenParts& given, const Surface& surface, const std::vector<BoundaryLoop>& boundaries,
                  const SpiralSettings& settings, const ProgressCallback& progress, StageClock& clock, SpiralTurns& turns,
-                 ScallopFigures& figures);
+                 ScallopReport& figures);
 
 /** Runs \p modifiers on \p path, which has its axes, and measures it again. Fails if one fails, or leaves what is no path: arrays of
  *  different sizes, numbers that are not finite, normals into the material, axes that lie in the surface, lifts that are not the
  *  distances of the contacts from their feet. */
 Status modifyPath(const std::vector<std::shared_ptr<const PathModifier>>& modifiers, const Surface& surface, const SpiralSettings& settings,
-                  SpiralPath& path, AxisFigures& axes, GapFigures& gaps);
+                  SpiralPath& path, AxisReport& axes, GapReport& gaps);
 
 } // namespace pcl_spiral

@@ -56,14 +56,14 @@ void
 LoopLinking<PointT, PointNT>::compute(LinkedPath& path)
 {
   path = LinkedPath();
-  figures_ = ScallopFigures();
+  figures_ = ScallopReport();
   this->warnings_.clear();
   const ThreadLimit limit(this->getNumberOfThreads());
   LinkedPath made;
   if (this->computeBy("LoopLinking", [&] { return run(made); }))
     path = std::move(made);
   else
-    figures_ = ScallopFigures();
+    figures_ = ScallopReport();
 }
 
 } // namespace pcl_spiral

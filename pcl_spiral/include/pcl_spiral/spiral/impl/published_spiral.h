@@ -19,7 +19,7 @@
 namespace pcl_spiral {
 
 /** Figures of the published method. Lengths in mm. */
-struct PublishedFigures {
+struct PublishedReport {
   std::size_t lines = 0;
   std::size_t unsettled_lines = 0;     ///< geodesics that still moved sideways by more than the chord error at the end
   double largest_line_move = 0.0;      ///< largest move of any of them at the end
@@ -40,7 +40,7 @@ struct PublishedResult {
   std::vector<Eigen::Vector3f> axes;    ///< unit, tip to shank
   std::vector<double> arc_lengths;
   std::vector<float> turns;
-  PublishedFigures figures;
+  PublishedReport figures;
   std::vector<StageCost> stages; ///< in the order they ran
   Diagnostics warnings;
 };

@@ -6,9 +6,9 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/spiral/radial_line.h>
 #include <pcl_spiral/spiral/spiral_settings.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <functional>
 #include <optional>

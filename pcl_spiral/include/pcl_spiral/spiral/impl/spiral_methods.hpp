@@ -82,7 +82,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeConstantScallop(Surfa
                                                                            StageClock& clock, TurnAttempt& attempt)
 {
   attempt.plan.method = SpiralMethod::ConstantScallop;
-  ScallopFigures figures;
+  ScallopReport figures;
   const Status status = planConstantScallop(surface, loops, settings_, partOf(progress_, 0.4, 0.65), alone && modifiers_.empty(), clock,
                                             attempt.turns, figures);
   attempt.plan.largest_allowed_step = attempt.turns.largest_allowed_step;
@@ -98,7 +98,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makeOfParts(Surface::Cons
                                                                    StageClock& clock, TurnAttempt& attempt)
 {
   attempt.plan.method = SpiralMethod::ConstantScallop;
-  ScallopFigures figures;
+  ScallopReport figures;
   const Status status = planGiven(given_parts_, *surface, loops, settings_, partOf(progress_, 0.4, 0.65), clock, attempt.turns, figures);
   attempt.plan.largest_allowed_step = attempt.turns.largest_allowed_step;
   attempt.plan.own_curve = given_parts_.ofUser();
@@ -160,7 +160,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePublished(const Surfa
   reportPublished(surface, settings_, published, report_, path);
   if (!status.ok())
     return status;
-  GapFigures gaps;
+  GapReport gaps;
   const Status marked = measureGaps(path, settings_, gaps);
   reportGaps(gaps, report_);
   return marked;

@@ -125,9 +125,9 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::allAround(const Surface& 
   Surroundings around = withSurface(around_, surface);
   const pcl::IndicesPtr part = this->givenIndices();
   const bool of_this_cloud = this->input_ && part && this->input_->size() == surface.inputSize();
-  if (!of_this_cloud && surface.counts().input < surface.inputSize() && around_.empty())
+  if (!of_this_cloud && surface.report().input < surface.inputSize() && around_.empty())
     report_.warnings.push_back(Diagnostic(
-        "the surface was made from ", surface.counts().input, " of ", surface.inputSize(),
+        "the surface was made from ", surface.report().input, " of ", surface.inputSize(),
         " points of a cloud, and what the others show is not known here: the ball may cut into it; give the {cloud} with its indices, "
         "too, before the surface ({setInputCloud}, {setInputSurface})"));
   if (!of_this_cloud)
@@ -194,7 +194,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
   report_.method = settings_.method;
   if (settings_.method == SpiralMethod::Published)
     return makePublished(*surface, clock, path);
-  GapFigures gaps;
+  GapReport gaps;
   std::unique_ptr<BallReach> reach;
   {
     TurnAttempt attempt;
@@ -217,7 +217,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
   const Status cancelled(StatusCode::Cancelled, "cancelled");
   if (progress_ && !progress_(0.9, "tool axis"))
     return cancelled;
-  AxisFigures axes;
+  AxisReport axes;
   if (const Status status = setToolAxes(settings_, path, axes, report_.warnings, ridden); !status.ok())
     return status;
   if (!modifiers_.empty())
@@ -225,7 +225,7 @@ SpiralToolpathGenerator<PointInT, PointNT, PointOutT>::makePath(StageClock& cloc
       return status;
   SpiralSettings used = settings_;
   used.method = report_.method;
-  PathFigures figures;
+  ToolpathReport figures;
   const Status checked = checkPath(path, used, report_.largest_allowed_step, partOf(progress_, 0.96, 1.0), figures, given_parts_.ofUser());
   reportPath(gaps, axes, figures, report_);
   report_.pass_begins = path.passes;

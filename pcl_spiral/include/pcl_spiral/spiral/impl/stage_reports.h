@@ -26,17 +26,17 @@ void reportLoops(const BridgedSurface& bridged, const SpiralSettings& settings, 
 void reportLines(const RadialLineSet& lines, const SpiralSettings& settings, TurnPlan& plan, Diagnostics& warnings);
 
 /** Figures of a path at constant scallop height, with a warning if it leaves more than requested. */
-void reportScallop(const ScallopFigures& figures, const SpiralSettings& settings, TurnPlan& plan, Diagnostics& warnings);
+void reportScallop(const ScallopReport& figures, const SpiralSettings& settings, TurnPlan& plan, Diagnostics& warnings);
 
 void reportTurns(const SpiralTurns& turns, TurnPlan& plan, Diagnostics& warnings);
 
 /** Path points over gaps, with a warning if there are any. */
-void reportGaps(const GapFigures& gaps, SpiralReport& report);
+void reportGaps(const GapReport& gaps, SpiralReport& report);
 
-void reportPath(const GapFigures& gaps, const AxisFigures& axes, const PathFigures& path, SpiralReport& report);
+void reportPath(const GapReport& gaps, const AxisReport& axes, const ToolpathReport& path, SpiralReport& report);
 
 /** Closest turns as measured, or as planned if the path has too few turns. Efficiency, with a warning if it is low. */
-void reportSpacing(const PathFigures& path, SpiralReport& report);
+void reportSpacing(const ToolpathReport& path, SpiralReport& report);
 
 /** Why the radial method made no path that can be cut: it failed (\p status), or its path of \p turns turns back on itself. Empty: it
  *  did, or it failed for a reason that the other method does not mend. */

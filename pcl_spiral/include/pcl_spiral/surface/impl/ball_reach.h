@@ -4,9 +4,9 @@
  */
 #pragma once
 
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/graph/impl/surface_graph.h>
 #include <pcl_spiral/surface/impl/missed_points.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
 #include <pcl_spiral/surface/impl/surface_beyond.h>
 
 #include <Eigen/Core>

@@ -55,7 +55,7 @@ ScannedSurface<PointT, PointNT>::sidedSettings() const
 /** Run the statistical filter and thinning, and record what they drop. */
 template <typename PointT, typename PointNT>
 Status
-ScannedSurface<PointT, PointNT>::filter(UsablePoints& usable, SurfaceCounts& counts, std::vector<std::uint32_t>& dropped,
+ScannedSurface<PointT, PointNT>::filter(UsablePoints& usable, SurfaceReport& counts, std::vector<std::uint32_t>& dropped,
                                         std::vector<LeftOut>& why) const
 {
   const auto keep = [&](const std::vector<std::uint32_t>& kept, LeftOut reason) {
@@ -109,7 +109,7 @@ ScannedSurface<PointT, PointNT>::run(Surface::ConstPtr& surface)
   if (!going(0.0))
     return cancelled;
   UsablePoints usable = usablePoints(*this->input_, givenIndices());
-  SurfaceCounts counts;
+  SurfaceReport counts;
   counts.input = usable.asked_for;
   counts.nonfinite = usable.nonfinite;
   counts.duplicate = usable.duplicates;

@@ -4,8 +4,8 @@
  */
 #pragma once
 
+#include <pcl_spiral/fit/surface_foot.h>
 #include <pcl_spiral/surface/surface.h>
-#include <pcl_spiral/surface/surface_foot.h>
 
 #include <vector>
 

@@ -15,7 +15,7 @@ void
 SurfacePreparation<PointT>::forget()
 {
   status_ = Status();
-  counts_ = SurfaceCounts();
+  counts_ = SurfaceReport();
   source_indices_.clear();
   surface_.reset();
   this->removed_indices_->clear();
@@ -51,7 +51,7 @@ SurfacePreparation<PointT>::applyFilter(PointCloud& output)
   output.is_dense = true;
   if (!surface_)
     return;
-  counts_ = surface_->counts();
+  counts_ = surface_->report();
   std::vector<std::uint8_t> kept(this->input_->size(), 0);
   output.reserve(surface_->size());
   for (std::size_t i = 0; i < surface_->size(); ++i) {

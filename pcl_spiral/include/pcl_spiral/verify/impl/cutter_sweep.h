@@ -6,8 +6,8 @@
 
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/core/polyline.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/search/impl/move_index.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
 
 #include <cstddef>
 #include <utility>

@@ -11,7 +11,7 @@ void
 DeviationEstimation<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
 {
   output.clear();
-  figures_ = DeviationFigures();
+  figures_ = DeviationReport();
   const ThreadLimit limit(this->getNumberOfThreads());
   CutterPath path;
   std::vector<float> deviation;

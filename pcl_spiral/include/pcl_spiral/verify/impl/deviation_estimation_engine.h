@@ -19,6 +19,6 @@ namespace pcl_spiral {
 /** Signed deviation of each path point, NaN where it is not measured, and the figures. \p chord_error is compared
  *  with the noise; 0: no comparison. Fails if no point lies on the scan, and when \p progress cancels. */
 Status measureDeviation(const ReferenceSurface& reference, const CutterPath& path, double chord_error, const ProgressCallback& progress,
-                        std::vector<float>& deviation, DeviationFigures& figures);
+                        std::vector<float>& deviation, DeviationReport& figures);
 
 } // namespace pcl_spiral

@@ -19,7 +19,7 @@ HolderCheck<PointT>::find(MakeRuns make_runs)
   CutRuns runs;
   if (const Status status = make_runs(tool, runs); !status.ok())
     return status;
-  const auto look = [&](const auto& obstacles, LeadFigures& figures) {
+  const auto look = [&](const auto& obstacles, LeadReport& figures) {
     return findHolderCollisions(obstacles, tool, runs, this->getTolerance(), this->progress(), figures);
   };
   if (!mesh_)

@@ -47,9 +47,9 @@ Status cutRuns(const MachineProgram& program, double arm, double tolerance, CutR
  *  mm if that is more; between two of them at most half of that is missed. The same for any number of threads. The deepest place is that
  *  of the places looked at: all poses, and others where the poses are free. */
 Status findHolderCollisions(const PointBlocks& points, const UpperTool& tool, const CutRuns& runs, double tolerance,
-                            const ProgressCallback& progress, LeadFigures& figures);
+                            const ProgressCallback& progress, LeadReport& figures);
 /** The same with the curved surface behind the faces of \p mesh, to within 1e-3 mm. */
 Status findHolderCollisions(const SurfaceMesh& mesh, const UpperTool& tool, const CutRuns& runs, double tolerance,
-                            const ProgressCallback& progress, LeadFigures& figures);
+                            const ProgressCallback& progress, LeadReport& figures);
 
 } // namespace pcl_spiral

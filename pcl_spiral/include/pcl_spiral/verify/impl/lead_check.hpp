@@ -15,7 +15,7 @@ LeadCheck<PointT>::compute(const MachineProgram& program)
         return status;
     const CutterProfile cutter(this->getCutter());
     const HolderProfile holder = this->holderProfile();
-    return this->findAmongPoints([&](const PointBlocks& points, LeadFigures& figures) {
+    return this->findAmongPoints([&](const PointBlocks& points, LeadReport& figures) {
       return findLeadCollisions(points, cutter, holder, program, this->getTolerance(), this->progress(), figures);
     });
   });

@@ -23,6 +23,6 @@ namespace pcl_spiral {
  *  or half of the tolerance, whichever is larger. The move from the machine's first position to the first block is not
  *  known, and not checked. The same for any number of threads. Fails on a program without moves, or when cancelled. */
 Status findLeadCollisions(const PointBlocks& points, const CutterProfile& cutter, const HolderProfile& holder,
-                          const MachineProgram& program, double tolerance, const ProgressCallback& progress, LeadFigures& figures);
+                          const MachineProgram& program, double tolerance, const ProgressCallback& progress, LeadReport& figures);
 
 } // namespace pcl_spiral

@@ -66,7 +66,7 @@ MaterialRemoval<PointT>::compute(pcl::PointCloud<pcl::PointXYZI>& output)
 {
   output.clear();
   ridge_heights_.clear();
-  figures_ = RemovalFigures();
+  figures_ = RemovalReport();
   const ThreadLimit limit(this->getNumberOfThreads());
   CutterPath path;
   RemovalHeights heights;

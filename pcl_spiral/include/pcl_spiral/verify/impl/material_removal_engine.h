@@ -46,7 +46,7 @@ struct RemovalHeights {
  *  the same for any number of threads. Fails on settings out of range, and when \p progress cancels. */
 Status measureRemovedMaterial(const ReferenceSurface& reference, const CutterPath& path, const CutterSweep& sweep,
                               const RemovalSettings& settings, const ProgressCallback& progress, RemovalHeights& heights,
-                              RemovalFigures& figures);
+                              RemovalReport& figures);
 
 /** Length that a path of constant scallop height needs at least: the integral of dA over
  *  the largest step-over, which is the one across the smallest curvature, plus half of \p rim_share of the

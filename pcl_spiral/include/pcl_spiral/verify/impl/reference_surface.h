@@ -6,8 +6,8 @@
 
 #include <pcl_spiral/common/status.h>
 #include <pcl_spiral/features/boundary_loop.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/search/impl/move_index.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
 #include <pcl_spiral/surface/surface.h>
 #include <pcl_spiral/verify/impl/reference_mesh.h>
 
@@ -47,7 +47,7 @@ public:
   const ReferenceMesh* mesh() const { return mesh_.get(); }
   const MlsSurface& surface() const { return surface_; }
   /** Outliers of the scan: isolated points off the surface, or in small clusters apart from it. */
-  std::size_t outlierPoints() const { return scanned_->counts().offSurface(); }
+  std::size_t outlierPoints() const { return scanned_->report().offSurface(); }
 
   /** Standard deviation of single points about the surface, mm. On a scan without
    *  noise: what a quadric leaves of the shape, an upper bound. 0 for a mesh. */

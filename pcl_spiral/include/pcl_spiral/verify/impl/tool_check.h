@@ -44,7 +44,7 @@ public:
   double getTolerance() const { return tolerance_; } ///< The value of setTolerance.
 
   /** Outliers in groups of at most this many points count as false echoes, which are no obstacles: after a collision the check is
-   *  repeated without them, see getObstacleFigures. largest_echo suits scans. 0, the default: the check is not repeated. */
+   *  repeated without them, see getObstacleReport. largest_echo suits scans. 0, the default: the check is not repeated. */
   void setLargestEcho(std::size_t points) { largest_echo_ = points; }
   std::size_t getLargestEcho() const { return largest_echo_; } ///< The value of setLargestEcho.
 
@@ -55,11 +55,16 @@ public:
   void setQuiet(bool quiet) { quiet_ = quiet; }
   bool getQuiet() const { return quiet_; } ///< The value of setQuiet.
 
-  const Status& getStatus() const { return status_; }        ///< Result of the last compute.
-  const LeadFigures& getFigures() const { return figures_; } ///< Figures of the last compute, against every point.
+  const Status& getStatus() const { return status_; }      ///< Result of the last compute.
+  const LeadReport& getReport() const { return figures_; } ///< Figures of the last compute, against every point.
+  [[deprecated("use getReport")]] const LeadReport& getFigures() const { return getReport(); } ///< \deprecated Use getReport.
   /** Figures of the last compute without false echoes, if setLargestEcho was called: if no move collides here, all collisions of
-   *  getFigures are with echoes. The same as getFigures if the scan has no echoes, or if its points form no surface. */
-  const LeadFigures& getObstacleFigures() const { return obstacle_figures_; }
+   *  getReport are with echoes. The same as getReport if the scan has no echoes, or if its points form no surface. */
+  const LeadReport& getObstacleReport() const { return obstacle_figures_; }
+  [[deprecated("use getObstacleReport")]] const LeadReport& getObstacleFigures() const
+  {
+    return getObstacleReport();
+  } ///< \deprecated Use getObstacleReport.
 
 protected:
   /** Checks the cloud. */
@@ -78,7 +83,7 @@ protected:
 
   using pcl::PCLBase<PointT>::input_;
   using pcl::PCLBase<PointT>::indices_;
-  LeadFigures figures_, obstacle_figures_;
+  LeadReport figures_, obstacle_figures_;
 
 private:
   CutterShape cutter_;

@@ -66,11 +66,11 @@ template <typename Find>
 void
 ToolCheck<PointT>::report(const char* name, Find find)
 {
-  figures_ = obstacle_figures_ = LeadFigures();
+  figures_ = obstacle_figures_ = LeadReport();
   status_ = Status::unfinished();
   status_ = find();
   if (!status_.ok())
-    figures_ = obstacle_figures_ = LeadFigures();
+    figures_ = obstacle_figures_ = LeadReport();
   if (!quiet_ && !status_.ok() && status_.code() != StatusCode::Cancelled)
     PCL_ERROR("[pcl_spiral::%s::compute] %s\n", name, status_.message().c_str());
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <pcl_spiral/features/impl/surface_parts.h>
+#include <pcl_spiral/graph/impl/surface_parts.h>
 
 #include <pcl_spiral/core/diagnostic.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -114,11 +116,40 @@ partsText(const std::vector<SurfacePart>& parts, bool to_choose)
   return list;
 }
 
-Diagnostic
-severalPartsText(const std::vector<SurfacePart>& parts)
+PartDistance
+nearestOther(const SurfaceGraph& graph, const SurfaceParts& parts, std::size_t part)
 {
-  return Diagnostic("the {cloud} has ", parts.size(), " separate parts: ", partsText(parts),
-                    "; keep only the largest one ({setLargestPart}), or only the one to be machined, by a place on it ({setPartAt})");
+  const std::vector<std::uint8_t> others = apartFrom(graph, parts, part);
+  std::vector<Eigen::Vector3f> of_part, of_others;
+  const Triangulation& mesh = graph.triangulation();
+  for (std::uint32_t v = 0; v < graph.size(); ++v)
+    if (mesh.outgoingBegin(v) < mesh.outgoingBegin(v + 1))
+      (others[v] ? of_others : of_part).push_back(graph.blocks().point(v));
+  const PointBlocks blocks(std::move(of_others));
+  PartDistance nearest;
+  float least = std::numeric_limits<float>::max();
+  for (const Eigen::Vector3f& p : of_part)
+    blocks.forBlocks([&](const Box& box) { return box.squaredDistance(p.data()) < least; },
+                     [&](std::size_t block) {
+                       for (std::size_t i = blocks.blockBegin(block); i < blocks.blockEnd(block); ++i)
+                         if (const float squared = (blocks.point(i) - p).squaredNorm(); squared < least) {
+                           least = squared;
+                           nearest = {std::sqrt(squared), (0.5f * (blocks.point(i) + p)).cast<double>()};
+                         }
+                     });
+  return nearest;
+}
+
+Diagnostic
+severalPartsText(const SurfaceGraph& graph, const SurfaceParts& parts)
+{
+  const auto smaller = [](const SurfacePart& a, const SurfacePart& b) { return a.area < b.area; };
+  const auto largest = std::max_element(parts.parts.begin(), parts.parts.end(), smaller);
+  const PartDistance apart = nearestOther(graph, parts, static_cast<std::size_t>(largest - parts.parts.begin()));
+  return Diagnostic("the {cloud} has ", parts.parts.size(), " separate parts: ", partsText(parts.parts), "; the largest is ",
+                    apart.distance, " {mm} from the next one, at ", Place(apart.middle),
+                    ": if they are one surface, {scan what is between them}; keep only the largest one ({setLargestPart}), or only the one "
+                    "to be machined, by a place on it ({setPartAt})");
 }
 
 std::vector<std::uint8_t>

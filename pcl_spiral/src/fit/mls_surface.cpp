@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/angles.h>
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 
 #include "search/neighbour_search.h"
 

@@ -57,8 +57,17 @@ std::size_t nearestPart(const SurfaceGraph& graph, const SurfaceParts& parts, co
  *  proposed for setPartAt if the user has \p to_choose a part. */
 Diagnostic partsText(const std::vector<SurfacePart>& parts, bool to_choose = true);
 
+/** Where a part is nearest to any other one. */
+struct PartDistance {
+  double distance = 0.0;                            ///< mm, between two points
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero(); ///< of these two
+};
+
+/** Of part number \p part, which is not the only one. */
+PartDistance nearestOther(const SurfaceGraph& graph, const SurfaceParts& parts, std::size_t part);
+
 /** The refusal of several \p parts of which none was chosen. */
-Diagnostic severalPartsText(const std::vector<SurfacePart>& parts);
+Diagnostic severalPartsText(const SurfaceGraph& graph, const SurfaceParts& parts);
 
 /** For each point of the graph: 1 if it belongs only to parts other than number \p part. A point without a triangle
  *  does not. */

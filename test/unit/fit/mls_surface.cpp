@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Moving least squares against an exact sphere, cylinder and paraboloid, with and without noise.
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 
 #include <gtest/gtest.h>
 #include <omp.h>

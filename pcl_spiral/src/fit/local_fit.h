@@ -7,7 +7,7 @@
 #include "patch_search.h"
 
 #include "search/neighbour_search.h"
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 
 #include <algorithm>
 #include <limits>

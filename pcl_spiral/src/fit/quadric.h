@@ -4,7 +4,7 @@
  */
 #pragma once
 
-#include <pcl_spiral/surface/impl/mls_surface.h>
+#include <pcl_spiral/fit/impl/mls_surface.h>
 
 namespace pcl_spiral {
 
