@@ -3,6 +3,7 @@
 
 #include "cluster_chance.h"
 
+#include "core/median.h"
 #include "fit/local_fit.h"
 #include "search/mean_distances.h"
 #include "search/neighbour_search.h"
@@ -16,6 +17,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -243,6 +245,15 @@ nearestTo(const StandingCluster& group, const std::vector<PointBlocks>& fronts, 
   return nearest;
 }
 
+/** The spacing of the points of \p cluster: the median of the mean distance of the three nearest is that of a square grid, at its edges,
+ *  too, and for points at random 0.73 of that of a grid as dense. */
+double
+spacingOf(const StandingCluster& cluster)
+{
+  constexpr int nearest = 3;
+  return medianOf(meanDistances(cluster.positions, nearest));
+}
+
 /** Adds each of \p groups that is within the reach of one of \p clusters, at least \p reach, to the nearest one; then those within the
  *  reach of these, and so on, if the groups that are left are so few on the \p area that chance alone would not go on. */
 void
@@ -275,8 +286,10 @@ joinToClusters(std::vector<StandingCluster> groups, double reach, double area, s
     for (std::size_t c = 0; c < clusters.size(); ++c)
       fronts[c] = PointBlocks(std::move(joined[c]));
   }
-  for (StandingCluster& cluster : clusters)
+  for (StandingCluster& cluster : clusters) {
     measure(cluster);
+    cluster.spacing = spacingOf(cluster);
+  }
 }
 
 } // namespace
@@ -318,9 +331,7 @@ standingPoints(const SurfaceGraph& graph, const std::vector<Eigen::Vector3f>& po
       others.add(points[i], static_cast<std::uint32_t>(i), 0.0);
   }
   found.largest_height = *std::max_element(sizes.begin(), sizes.end());
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  found.median_height = *middle;
+  found.median_height = medianOf(std::move(sizes));
   const double area = static_cast<double>(sure.blocks.size()) * spacing * spacing;
   found.clusters = clustersOf(standing, is_far, spacing, area);
   std::vector<std::uint8_t> is_in_cluster(points.size(), 0);

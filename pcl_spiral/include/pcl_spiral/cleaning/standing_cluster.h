@@ -18,6 +18,7 @@ struct StandingCluster {
   std::vector<Eigen::Vector3f> positions;          ///< of its points, mm
   Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< its mean
   double size = 0.0;                               ///< diagonal of its box
+  double spacing = 0.0;                            ///< of its points: median of the mean distance of the nearest three
   double height = 0.0;                             ///< of its highest point over the surface
   bool hides_surface = false;                      ///< nothing is seen below some of its points: where its sides are, is not known
 };

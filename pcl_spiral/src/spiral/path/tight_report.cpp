@@ -22,6 +22,17 @@ constexpr double well_reached = 0.9;  // of the points
 constexpr double surely = 0.95;       // of the largest radius there
 constexpr double edge_share = 0.5;    // of the spacing: the edge of a thing lies between its last points and those beside it
 
+/** The widest spacing of points at the edge of a thing that the ball rides over: of the surface, or of the points of the thing if they
+ *  are farther apart, mm. */
+double
+edgeSpacing(const Surface& surface)
+{
+  double widest = surface.spacing();
+  for (const StandingCluster& cluster : surface.clusters())
+    widest = std::max(widest, cluster.spacing);
+  return widest;
+}
+
 /** Adds the places where more than the scallop height stays: of \p points, their indices \p of in reach.unreached() and \p heights. */
 void
 addPlaces(const BallReach& reach, const Polyline& points, const std::vector<std::size_t>& of, const std::vector<float>& heights,
@@ -120,10 +131,9 @@ missedWarning(const MissedPoints& missed)
 Diagnostic
 clusterWarning(const std::vector<TightPlace>& places)
 {
-  return "the ball rides over clusters of points at " + stockText(places) +
-         ", nor within a step-over of them ({setClusterHandling(ClusterHandling::Ride)}); it stays half a point spacing away from the "
-         "points: edges "
-         "farther beyond them are not known";
+  return Diagnostic("the ball rides over clusters of points at ", stockText(places),
+                    ", nor within a step-over of them ({setClusterHandling(ClusterHandling::Ride)}); it stays half of their spacing away "
+                    "from the points: edges farther beyond them are not known");
 }
 
 /** Counts the places where the ball turns back, and warns of them. */
@@ -168,7 +178,7 @@ reachOf(const Surface& surface, const SpiralSettings& settings, const std::vecto
     return nullptr;
   auto reach = std::make_unique<BallReach>(
       surface.graph(), surface.fit(), settings.tool_radius, reachTolerance(surface.fit(), reach_share * settings.chord_error),
-      BallObstacles{surface.riddenPoints(), ride_share * settings.chord_error + edge_share * surface.spacing()}, beyond, least);
+      BallObstacles{surface.riddenPoints(), ride_share * settings.chord_error + edge_share * edgeSpacing(surface)}, beyond, least);
   reach->addMissed(surface.fit(), surface.isolatedPoints(), surface.spacing());
   return reach;
 }
