@@ -69,6 +69,9 @@ int judgeTime(const Options& options);
  *  other cases, and the number of each outcome. */
 int judgeRandom(const Options& options);
 
+/** Clean random scans: in how many separate parts, outliers, clusters or gaps are seen that are not there; at most one in fifty of each. */
+int judgeAlarms(const Options& options);
+
 /** Random cases moved, mirrored, scaled with all lengths, shuffled, and processed with other numbers of threads: each gives
  *  the same result. */
 int judgeProperties(const Options& options);

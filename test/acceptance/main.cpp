@@ -43,6 +43,7 @@ cases()
   all["mesh_rows"] = judgeMeshRows;
   all["outlines"] = judgeOutlines;
   all["random"] = judgeRandom;
+  all["alarms"] = judgeAlarms;
   all["properties"] = judgeProperties;
   return all;
 }
