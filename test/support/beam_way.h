@@ -6,6 +6,7 @@
 
 #include <pcl_spiral/machine/impl/tool_pose.h>
 
+#include "core/angle_between.h"
 #include "support/parsed_place.h"
 
 #include <gtest/gtest.h>

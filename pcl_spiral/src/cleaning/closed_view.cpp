@@ -3,6 +3,7 @@
 
 #include "closed_sheets.h"
 #include "closing_grid.h"
+#include "core/median.h"
 #include "graph/local_shape.h"
 #include "search/neighbour_search.h"
 #include "search/pieces.h"
@@ -40,8 +41,7 @@ usualSpacing(const std::vector<Eigen::Vector3f>& points)
       squared.push_back(near.squared_distance[near.size - 1]);
     }
   }
-  std::nth_element(squared.begin(), squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2), squared.end());
-  return evenSpacing(std::sqrt(static_cast<double>(squared[squared.size() / 2])), few);
+  return evenSpacing(std::sqrt(static_cast<double>(medianOf(std::move(squared)))), few);
 }
 
 /** The nodes of the sheets. */

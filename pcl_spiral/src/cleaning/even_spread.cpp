@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "even_spread.h"
 
+#include "core/median.h"
 #include "disc_thinning.h"
 #include "graph/spread_shape.h"
 #include "search/all_neighbourhoods.h"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <numeric>
 #include <queue>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -168,9 +170,7 @@ medianOfNear(const std::vector<SpreadShape>& shapes)
   values.reserve(shapes.size());
   for (const SpreadShape& shape : shapes)
     values.push_back(shape.near);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return medianOf(std::move(values));
 }
 
 /** Isolated points off the surface: their neighbours lie much farther from them than the points nearby lie from each other, and
@@ -202,8 +202,7 @@ withoutIsolated(const Spread& spread)
       about.clear();
       for (int j = 1; j < near.size; ++j)
         about.push_back(spread.shapes[near.index[j]].near);
-      std::nth_element(about.begin(), about.begin() + about.size() / 2, about.end());
-      const float own = spread.shapes[i].near, usual = far * about[about.size() / 2];
+      const float own = spread.shapes[i].near, usual = far * medianOf(about);
       const auto isUsual = [&](std::uint32_t k) { return spread.shapes[k].near <= usual; };
       kept[i] = isUsual(static_cast<std::uint32_t>(i)) || heightOver(near, isUsual) <= high * own;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "move_corners.h"
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -35,7 +37,7 @@ arcRadius(double angle, double tolerance)
 double
 angleOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return angleBetween(a, b);
 }
 
 MoveCorner

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "revolution_axis.h"
 
+#include "core/median.h"
+
 #include <pcl_spiral/core/impl/frame.h>
 
 #include <Eigen/Cholesky>
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -120,8 +123,7 @@ scaleAt(const Sample& sample, const Axis& axis, const Eigen::Vector4d& cubic)
     left.push_back(std::hypot(turningOf(axis, sample.points[i], sample.normals[i]),
                               sample.normals[i].dot(axis.direction) - cubicAt(cubic, axis.direction.dot(sample.points[i]))));
   }
-  std::nth_element(left.begin(), left.begin() + left.size() / 2, left.end());
-  return std::max(0.05, 2.0 * left[left.size() / 2]);
+  return std::max(0.05, 2.0 * medianOf(std::move(left)));
 }
 
 /** Place across \p direction that the normals pass closest to. Seen along \p direction they are straight lines. */

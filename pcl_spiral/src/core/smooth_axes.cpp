@@ -5,6 +5,8 @@
 
 #include <pcl_spiral/core/impl/angles.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -21,12 +23,6 @@ using Vectors = std::vector<Vector3d>;
 constexpr int most_rounds = 20; // of a pass either way: each leaves almost nothing to the next
 constexpr double flattest_lean = 89.0 * pi / 180.0;
 constexpr double rounding = 1e-9; // of a limit
-
-double
-angleBetween(const Vector3d& a, const Vector3d& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 /** \p from turned by \p angle towards \p to. */
 Vector3d

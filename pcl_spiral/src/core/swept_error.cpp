@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/core/impl/swept_error.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -50,7 +52,7 @@ sweptError(const CutterProfile& profile, const CutterPlace& from, const CutterPl
 {
   const double r = profile.cornerRadius(), top = profile.topHeight();
   const Eigen::Vector3d way = to.tip + r * to.axis - from.tip - r * from.axis;
-  const double turn = std::atan2(from.axis.cross(to.axis).norm(), from.axis.dot(to.axis));
+  const double turn = angleBetween(from.axis, to.axis);
   const Eigen::Vector3d axis = (from.axis + to.axis).normalized();
   const double along = way.dot(axis), across = (way - along * axis).norm();
   const double widest = profile.flankAngle() > 0.0 ? profile.radius() : profile.flatRadius();

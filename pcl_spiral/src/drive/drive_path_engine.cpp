@@ -9,6 +9,8 @@
 #include <pcl_spiral/fit/impl/mls_surface.h>
 #include <pcl_spiral/surface/impl/smoothing_remedy.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -78,7 +80,7 @@ measureDrive(const DrivePasses& passes, DriveReport& report)
       if (i + 1 == n && !pass.closed)
         break;
       report.length += (b.position - a.position).norm();
-      report.largest_axis_step = std::max(report.largest_axis_step, std::atan2(a.axis.cross(b.axis).norm(), a.axis.dot(b.axis)));
+      report.largest_axis_step = std::max(report.largest_axis_step, angleBetween(a.axis, b.axis));
     }
   }
   report.largest_axis_step *= 180.0 / pi;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boundary_walk.h"
 
+#include "core/angle_between.h"
 #include "search/neighbour_search.h"
 
 #include <pcl_spiral/core/impl/angles.h>
@@ -111,7 +112,7 @@ private:
       if (q == from || (taken_[q] && !(may_close && q == path.front())))
         continue;
       const Eigen::Vector3d ahead = blocks_.position(q) - p;
-      if (std::atan2(came.cross(ahead).norm(), came.dot(ahead)) <= options_.max_turn)
+      if (angleBetween(came, ahead) <= options_.max_turn)
         return q;
     }
     return std::nullopt;

@@ -2,6 +2,7 @@
 #include <pcl_spiral/graph/impl/surface_graph.h>
 
 #include "common/freed_memory.h"
+#include "core/median.h"
 #include "local_star.h"
 #include "search/neighbour_search.h"
 #include <pcl_spiral/core/impl/frame.h>
@@ -186,13 +187,6 @@ remove(const std::vector<std::uint8_t>& flagged, std::size_t points, Triangulati
   mesh = Triangulation(points, std::move(kept));
 }
 
-double
-median(std::vector<float> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
 } // namespace
 
 double
@@ -221,7 +215,7 @@ SurfaceGraph::build(PointBlocks blocks, const SurfaceGraphOptions& options)
   PointShapes shapes;
   shapes.neighbours = p.neighbours;
   StarSet stars = visitAll(p.blocks, options.max_circumradius, shapes);
-  const double usual_radius = median(shapes.radii);
+  const double usual_radius = medianOf(shapes.radii);
   p.isolated = pcl_spiral::isolatedPoints(p.blocks, stars, shapes, far_off * usual_radius);
   p.spike_candidates = pcl_spiral::spikeCandidates(stars, shapes);
   p.normals = std::move(shapes.normals);

@@ -5,6 +5,8 @@
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/machine/impl/rotary_path.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 
 #include <pcl_spiral/core/impl/frame.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/machine/impl/tool_pose.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
 
 namespace pcl_spiral {
-
-double
-angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  return 2.0 * std::atan2((a - b).norm(), (a + b).norm()); // Kahan
-}
 
 Eigen::Vector3d
 arcBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double t)

@@ -3,6 +3,8 @@
 
 #include <pcl_spiral/core/impl/angles.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -12,12 +14,6 @@ namespace pcl_spiral {
 namespace {
 
 using Eigen::Vector3d;
-
-double
-angleBetween(const Vector3d& a, const Vector3d& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 double
 lengthOf(const SurfaceMesh& mesh, std::uint32_t h)

@@ -3,6 +3,8 @@
 
 #include "straight_ends.h"
 
+#include "core/angle_between.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -279,7 +281,7 @@ flatAbout(const Triangulation& mesh, const std::vector<Vector3d>& positions, con
       if (const std::uint32_t h = sectors.corners[k]; regions.of_face[h / 3] == region) {
         const Vector3d& at = positions[mesh.origin(h)];
         const Vector3d a = positions[mesh.target(h)] - at, b = positions[mesh.origin(Triangulation::previous(h))] - at;
-        angle += std::atan2(a.cross(b).norm(), a.dot(b));
+        angle += angleBetween(a, b);
       }
     return angle;
   };

@@ -3,9 +3,12 @@
 
 #include "fitted_normal.h"
 
+#include "core/median.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -74,8 +77,7 @@ vertexNoise(const Triangulation& mesh, const std::vector<Vector3d>& positions, c
   }
   if (2 * noises.size() < tried || noises.empty())
     return 0.0;
-  std::nth_element(noises.begin(), noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 2), noises.end());
-  return noises[noises.size() / 2];
+  return medianOf(std::move(noises));
 }
 
 } // namespace pcl_spiral

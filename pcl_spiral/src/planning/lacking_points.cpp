@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planning/lacking_points.h"
+#include "core/median.h"
 
 #include "graph/local_shape.h"
 
@@ -47,10 +48,7 @@ usualSpacing(const pcl::PointCloud<pcl::PointXYZ>& cloud)
   for (std::size_t k = 0; k < looked_at; ++k)
     if (const pcl::PointXYZ& p = cloud[k * cloud.size() / looked_at]; pcl::isFinite(p))
       spacings.push_back(aboutPlace(cloud, p.getVector3fMap().cast<double>()).spacing);
-  if (spacings.empty())
-    return 0.0;
-  std::nth_element(spacings.begin(), spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2), spacings.end());
-  return spacings[spacings.size() / 2];
+  return spacings.empty() ? 0.0 : medianOf(std::move(spacings));
 }
 
 /** Whether \p said has the words of a remedy that is another scan. */

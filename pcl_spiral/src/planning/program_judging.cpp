@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/planning/impl/path_judge.h>
 
+#include "core/angle_between.h"
 #include "machine/limit_check.h"
 #include "planning/region_passes.h"
 #include "verify/program_pace.h"

@@ -4,6 +4,8 @@
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/angles.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -129,7 +131,7 @@ checkCorners(const MeasuredLine& rail, double error)
     if (!rail.closed && (i < reach || i + reach >= n))
       return 0.0;
     const Vector3d a = rail.points[i] - rail.points[(i + n - reach) % n], b = rail.points[(i + reach) % n] - rail.points[i];
-    return std::atan2(a.cross(b).norm(), a.dot(b)) / degree;
+    return angleBetween(a, b) / degree;
   };
   for (std::size_t i = 0; i < n && 4 * reach < n; ++i) {
     const double turn = turnAt(i), beside = std::max(turnAt((i + 2 * reach) % n), turnAt((i + n - 2 * reach) % n));

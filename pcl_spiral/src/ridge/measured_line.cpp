@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/median.h"
+
 #include <pcl_spiral/ridge/impl/measured_line.h>
 
 #include <pcl_spiral/core/diagnostic.h>
@@ -95,14 +97,6 @@ private:
   std::vector<double> lengths_;
 };
 
-double
-median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /** The points without repeats, in their order. */
 Polyline
 withoutRepeats(const Polyline& points)
@@ -174,7 +168,7 @@ orderLine(const Polyline& given, const Diagnostic& name, MeasuredLine& line)
     return {StatusCode::InvalidInput,
             Diagnostic(name, " has ", points.size(), " different points; a line needs at least four: measure more of it")};
   const LeastTree tree(points);
-  line.spacing = median(tree.lengths());
+  line.spacing = medianOf(tree.lengths());
   const auto gap = tree.longest();
   const double length = (points[gap.first] - points[gap.second]).norm();
   if (length > largest_gap * line.spacing)

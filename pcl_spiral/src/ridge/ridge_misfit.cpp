@@ -14,16 +14,16 @@ findMisfit(SectionRounds& rounds, double half_width, ScanRidgeReport& report)
   constexpr std::uint32_t fewest = 4;     // points in a cell whose median counts
   constexpr double much = 1.5, far = 4.0; // times the noise: limit for all points, limit for one cell
   constexpr double smallest = 1e-3;       // of the half width; less does not count as a misfit on a scan without noise
-  const std::vector<SectionShift> lying = rounds.lying();
+  const std::vector<SectionShift> sections = rounds.unmoved();
   const Profile& profile = rounds.profile();
   double squares = 0.0;
   std::size_t worst_section = 0, worst_cell = 0;
-  for (std::size_t i = 0; i < lying.size(); ++i) {
-    squares += lying[i].squares;
-    report.points += lying[i].points;
-    for (std::size_t k = 0; k < lying[i].count.size(); ++k) {
-      const double s = profile.line.s(k), off = std::abs(static_cast<double>(lying[i].median[k]));
-      if (lying[i].count[k] < fewest || s < 0.0 || s > profile.length || off <= report.largest_misfit)
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    squares += sections[i].squares;
+    report.points += sections[i].points;
+    for (std::size_t k = 0; k < sections[i].count.size(); ++k) {
+      const double s = profile.line.s(k), off = std::abs(static_cast<double>(sections[i].median[k]));
+      if (sections[i].count[k] < fewest || s < 0.0 || s > profile.length || off <= report.largest_misfit)
         continue;
       report.largest_misfit = off;
       worst_section = i;

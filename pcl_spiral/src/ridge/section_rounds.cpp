@@ -97,7 +97,7 @@ SectionRounds::shifts(int most_steps)
 }
 
 std::vector<SectionShift>
-SectionRounds::lying()
+SectionRounds::unmoved()
 {
   return shifts(0);
 }

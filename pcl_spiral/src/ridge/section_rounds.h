@@ -42,7 +42,7 @@ public:
   /** The generator as it lies on each section at the rail, and its cells. */
   const Profile& profile() const { return profile_; }
   const SectionBand& band() const { return band_; }
-  std::vector<SectionShift> lying();
+  std::vector<SectionShift> unmoved();
   double stationOf(std::size_t section) const { return static_cast<double>(section) * length_; }
 
 private:

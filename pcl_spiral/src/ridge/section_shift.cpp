@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "section_shift.h"
 
+#include "core/median.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -43,14 +45,6 @@ residualsOf(SectionBand& band, const SectionPoints& sections, std::size_t sectio
     residuals.push_back(r);
   }
   return residuals;
-}
-
-double
-medianOf(std::vector<double>& values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /** Where Tukey's weights end: 4.685 standard deviations, from the median distance, but at least the noise. */

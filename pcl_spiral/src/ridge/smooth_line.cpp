@@ -4,6 +4,8 @@
 
 #include <pcl_spiral/core/bspline_fit.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -279,7 +281,7 @@ directionError(const MeasuredLine& measured)
   for (int k = 0; k <= stations; ++k) {
     const double s = a.length() * k / stations;
     const Eigen::Vector3d t = a.tangent(s), other = b.tangent(b.nearest(a.position(s)));
-    const double angle = std::atan2(t.cross(other).norm(), t.dot(other)) * 180.0 / pi;
+    const double angle = angleBetween(t, other) * 180.0 / pi;
     squares += angle * angle / (stations + 1);
   }
   return 0.5 * std::sqrt(squares);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/median.h"
+
 #include <pcl_spiral/search/impl/point_blocks.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -171,10 +174,8 @@ PointBlocks::findBoxes()
   std::vector<float> diagonals;
   for (std::size_t b = 0; b < blocks; ++b)
     diagonals.push_back(blockBox(b).diagonal());
-  if (blocks > 0) {
-    std::nth_element(diagonals.begin(), diagonals.begin() + blocks / 2, diagonals.end());
-    usual_diagonal_ = diagonals[blocks / 2];
-  }
+  if (blocks > 0)
+    usual_diagonal_ = medianOf(std::move(diagonals));
 }
 
 std::uint32_t

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/spiral/impl/given_parts.h>
 
+#include "core/angle_between.h"
 #include "spiral/field/scallop_size.h"
 #include "spiral/path/given_path.h"
 #include "spiral/path/path_feet.h"
@@ -261,7 +262,7 @@ void
 measureAxes(const SpiralPath& path, AxisReport& figures)
 {
   figures.largest_change = figures.largest_rate = figures.largest_lean = 0.0;
-  const auto angle = [](const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)) * in_degrees; };
+  const auto angle = [](const Vector3d& a, const Vector3d& b) { return angleBetween(a, b) * in_degrees; };
   for (std::size_t i = 0; i < path.axes.size(); ++i) {
     const Vector3d axis = path.axes[i].cast<double>();
     figures.largest_lean = std::max(figures.largest_lean, angle(axis, path.normals[i]));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "missed_points.h"
 #include "common/stoppable_loop.h"
+#include "core/median.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -27,10 +29,8 @@ noneMissed(const SurfaceGraph& graph, std::vector<float> sample)
   constexpr double deviation_of_median = 1.4826; // of a normal distribution
   for (float& height : sample)
     height = std::abs(height);
-  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
-  std::nth_element(sample.begin(), middle, sample.end());
   MissedPoints missed;
-  missed.noise = deviation_of_median * static_cast<double>(*middle);
+  missed.noise = deviation_of_median * static_cast<double>(medianOf(std::move(sample)));
   missed.least = std::max(missed_spacings * graph.spacing(), missed_deviations * missed.noise);
   return missed;
 }

@@ -3,6 +3,7 @@
 
 #include "sheet_refusal.h"
 
+#include "core/median.h"
 #include "graph/local_shape.h"
 #include "search/neighbour_search.h"
 
@@ -109,14 +110,6 @@ lookAt(const PointBlocks& blocks, const std::vector<std::uint32_t>& points, cons
   return places;
 }
 
-double
-median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 } // namespace
 
 Status
@@ -135,7 +128,7 @@ checkFillsSpace(const PointBlocks& blocks, const SurfaceSettings& settings)
     spacing.push_back(place.spacing);
     heights.push_back(place.height);
   }
-  return sheetRefusal(median(noise), median(spacing), heights);
+  return sheetRefusal(medianOf(noise), medianOf(spacing), heights);
 }
 
 } // namespace pcl_spiral

@@ -6,6 +6,8 @@
 #include <pcl_spiral/core/diagnostic.h>
 #include <pcl_spiral/core/impl/pass_ranges.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -16,7 +18,7 @@ namespace {
 double
 degreesBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / pi;
+  return angleBetween(a, b) * 180.0 / pi;
 }
 
 /** Refuse the arc lengths of a path with lifts if their total growth \p grow does not fit the cuts: then they show no lifts. */

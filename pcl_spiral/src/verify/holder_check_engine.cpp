@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pcl_spiral/verify/impl/holder_check_engine.h>
 
+#include "core/angle_between.h"
 #include "cutter/mesh_collision.h"
 #include "drive/drive_kinds.h"
 

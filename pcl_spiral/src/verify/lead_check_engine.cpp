@@ -5,6 +5,8 @@
 #include <pcl_spiral/cutter/impl/holder_collision.h>
 #include <pcl_spiral/machine/impl/block_spacing.h>
 
+#include "core/angle_between.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verify/program_pace.h"
+#include "core/median.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -56,7 +58,7 @@ ratesOf(const MachineProgram& program)
 
 /** The median of the speeds of neighbours from \p begin on; 0 if one of them does not cut. */
 double
-medianOf(const std::vector<double>& speeds, std::size_t begin)
+medianAbout(const std::vector<double>& speeds, std::size_t begin)
 {
   std::vector<double> some(speeds.begin() + static_cast<std::ptrdiff_t>(begin),
                            speeds.begin() + static_cast<std::ptrdiff_t>(begin + neighbours));
@@ -81,10 +83,9 @@ hurriedBlocks(const MachineProgram& program, double radius, const std::vector<Bl
   }
   if (cutting.empty())
     return {};
-  const auto middle = cutting.begin() + static_cast<std::ptrdiff_t>(cutting.size() / 2);
-  std::nth_element(cutting.begin(), middle, cutting.end());
+  const double usual = medianOf(std::move(cutting));
   const auto exceeds = [](const std::vector<double>& values, std::size_t i) {
-    return values[i] > most * std::max(medianOf(values, i - neighbours), medianOf(values, i + 1));
+    return values[i] > most * std::max(medianAbout(values, i - neighbours), medianAbout(values, i + 1));
   };
   const auto isSharp = [&](std::size_t i) {
     return contacts[i].turn > sharp_edge || turnsSharply(steps[i - 1], steps[i]) || turnsSharply(steps[i], steps[i + 1]);
@@ -92,8 +93,8 @@ hurriedBlocks(const MachineProgram& program, double radius, const std::vector<Bl
   const std::vector<double> rates = ratesOf(program);
   std::vector<HurriedBlock> hurried;
   for (std::size_t i = neighbours; i + neighbours < speeds.size(); ++i) {
-    const double before = medianOf(speeds, i - neighbours), after = medianOf(speeds, i + 1);
-    if (!(before > 0.0 && after > 0.0 && exceeds(speeds, i) && exceeds(contact_speeds, i) && contact_speeds[i] > over_median * *middle) ||
+    const double before = medianAbout(speeds, i - neighbours), after = medianAbout(speeds, i + 1);
+    if (!(before > 0.0 && after > 0.0 && exceeds(speeds, i) && exceeds(contact_speeds, i) && contact_speeds[i] > over_median * usual) ||
         isSharp(i))
       continue;
     const auto begin = rates.begin() + static_cast<std::ptrdiff_t>(i - neighbours);

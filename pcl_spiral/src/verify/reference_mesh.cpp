@@ -5,6 +5,8 @@
 #include <pcl_spiral/mesh/mesh_sampling.h>
 #include <pcl_spiral/search/impl/point_blocks.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -104,7 +106,7 @@ sagitta(const SurfaceMesh& mesh, std::size_t t, std::uint32_t h)
   const Vector3d a = mesh.faceNormal(h / 3), b = mesh.faceNormal(other / 3);
   const Vector3d edge = mesh.position(triangles.target(h)) - mesh.position(triangles.origin(h));
   const Vector3d across = mesh.faceNormal(t).cross(edge).normalized();
-  const double theta = std::atan2(a.cross(b).norm(), a.dot(b));
+  const double theta = angleBetween(a, b);
   const double w = 2.0 * std::min(mesh.faceArea(h / 3), mesh.faceArea(other / 3)) / edge.norm();
   const auto& v = triangles.triangle(t);
   const auto [low, high] = std::minmax({across.dot(mesh.position(v[0])), across.dot(mesh.position(v[1])), across.dot(mesh.position(v[2]))});

@@ -4,6 +4,8 @@
 #include <pcl_spiral/core/impl/pass_ranges.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 

@@ -3,6 +3,8 @@
 
 #include <pcl_spiral/core/impl/angles.h>
 
+#include "core/angle_between.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -15,7 +17,7 @@ double
 normalError(const RidgeSurface& ridge, double u, double v)
 {
   const Eigen::Vector3d is = ridge.normal(u, v), published = ridge.normal(u, v, RidgeNormals::InNormalPlane);
-  return std::atan2(published.cross(is).norm(), published.dot(is)) * 180.0 / pi;
+  return angleBetween(published, is) * 180.0 / pi;
 }
 
 NormalErrors

@@ -31,12 +31,12 @@ PartView::aim(const Eigen::Vector2d& room, const Eigen::Vector2d& middle)
 {
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d outward = surface_.outward.isZero() ? z : surface_.outward;
-  const bool lying = std::abs(outward.z()) > 0.5; // seen from the front, otherwise from above
-  Eigen::Vector3d side = lying ? Eigen::Vector3d(-y) : z;
+  const bool is_flat = std::abs(outward.z()) > 0.5; // seen from the front, otherwise from above
+  Eigen::Vector3d side = is_flat ? Eigen::Vector3d(-y) : z;
   side -= side.dot(outward) * outward;
   side = side.norm() > 0.3 ? side.normalized() : (x - x.dot(outward) * outward).normalized();
   const Eigen::Vector3d towards = std::cos(tilt) * outward + std::sin(tilt) * side;
-  const Eigen::Vector3d right = (lying ? outward : z).cross(towards).normalized();
+  const Eigen::Vector3d right = (is_flat ? outward : z).cross(towards).normalized();
   projection_ = {right, towards.cross(right), 1.0};
 
   const Eigen::Vector3d half = 0.5 * (surface_.high - surface_.low);

@@ -4,6 +4,7 @@
 #include <pcl_spiral/drive/drive_path.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
 
+#include "core/angle_between.h"
 #include "support/judged_meshes.h"
 #include "support/sampling.h"
 

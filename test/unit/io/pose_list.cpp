@@ -3,6 +3,7 @@
 #include <pcl_spiral/io/file_error.h>
 #include <pcl_spiral/io/path_exchange.h>
 
+#include "core/angle_between.h"
 #include "support/dome_spiral.h"
 #include "support/scratch_folder.h"
 #include "support/test_machines.h"

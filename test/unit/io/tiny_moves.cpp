@@ -5,6 +5,7 @@
 #include <pcl_spiral/machine/impl/tool_pose.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
+#include "core/angle_between.h"
 #include "support/canonical_run.h"
 #include "support/machine_way.h"
 #include "support/program_parsers.h"

@@ -3,6 +3,7 @@
 #include <pcl_spiral/machine/impl/kinematics.h>
 #include <pcl_spiral/machine/impl/tool_pose.h>
 
+#include "core/angle_between.h"
 #include "support/test_machines.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 // leads.
 #include <pcl_spiral/machine/machine_program_generator.h>
 
+#include "core/angle_between.h"
 #include "support/dome_spiral.h"
 #include "support/machine_way.h"
 #include "support/test_machines.h"

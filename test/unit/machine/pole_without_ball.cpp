@@ -2,6 +2,7 @@
 // Poses of a cutter that is not a ball go to the machine as they are, also at its pole: slower where an axis needs it.
 #include <pcl_spiral/machine/machine_program_generator.h>
 
+#include "core/angle_between.h"
 #include "support/dome_spiral.h"
 #include "support/machine_way.h"
 #include "support/test_machines.h"

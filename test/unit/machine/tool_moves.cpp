@@ -4,6 +4,7 @@
 #include <pcl_spiral/machine/tool_moves.h>
 #include <pcl_spiral/verify/lead_check.h>
 
+#include "core/angle_between.h"
 #include "support/dome_spiral.h"
 #include "support/random_vectors.h"
 #include "support/test_machines.h"

@@ -3,6 +3,7 @@
 #include <pcl_spiral/io/program_writer.h>
 #include <pcl_spiral/machine/machine_program_generator.h>
 
+#include "core/angle_between.h"
 #include "support/canonical_run.h"
 #include "support/dome_spiral.h"
 #include "support/scratch_folder.h"

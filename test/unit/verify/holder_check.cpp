@@ -3,6 +3,7 @@
 #include <pcl_spiral/machine/machine_program_generator.h>
 #include <pcl_spiral/verify/holder_check.h>
 
+#include "core/angle_between.h"
 #include "support/dome_spiral.h"
 #include "support/machine_way.h"
 #include "support/plain_mesh.h"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "camera_view.h"
 
+#include "core/median.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace pcl_spiral {
@@ -72,9 +75,8 @@ seenFromOrigin(const PointTable& table, std::size_t width)
   Cells cells = cellsOf(table, width);
   if (cells.distances.empty() || !isInACone(points))
     return false;
-  const auto middle = cells.distances.begin() + static_cast<std::ptrdiff_t>(cells.distances.size() / 2);
-  std::nth_element(cells.distances.begin(), middle, cells.distances.end());
-  return *middle >= nearest * box.diagonal().norm() && std::max(cells.turned, cells.area - cells.turned) >= one_side * cells.area;
+  return medianOf(std::move(cells.distances)) >= nearest * box.diagonal().norm() &&
+         std::max(cells.turned, cells.area - cells.turned) >= one_side * cells.area;
 }
 
 } // namespace pcl_spiral

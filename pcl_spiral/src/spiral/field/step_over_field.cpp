@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/median.h"
+
 #include <pcl_spiral/core/impl/angles.h>
 #include <pcl_spiral/spiral/step_over_field.h>
 
@@ -49,8 +51,7 @@ medianEdge(const StepOverMesh& mesh)
   for (std::size_t t = 0; t < mesh.triangles.triangleCount(); t += stride)
     for (const double side : stepOverSides(mesh, t))
       edges.push_back(static_cast<float>(side));
-  std::nth_element(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2), edges.end());
-  return edges[edges.size() / 2];
+  return medianOf(std::move(edges));
 }
 
 /** Triangles with a corner within \p width step-overs of a ridge of \p distance. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "step_over_march.h"
 
+#include "core/median.h"
 #include "geodesic/bucket_queue.h"
 #include "geodesic/front_round.h"
 
@@ -140,11 +141,7 @@ private:
     for (std::size_t t = 0; t < sides_.size(); ++t)
       if (is_open_[t] && at++ % stride == 0)
         edges.push_back(sides_[t][0]);
-    if (edges.empty())
-      return 1.0;
-    const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
-    std::nth_element(edges.begin(), middle, edges.end());
-    return *middle;
+    return edges.empty() ? 1.0 : medianOf(std::move(edges));
   }
   void take(const Way& way)
   {

@@ -2,6 +2,7 @@
 #include <pcl_spiral/spiral/impl/step_over_mesh.h>
 
 #include "common/stoppable_loop.h"
+#include "core/median.h"
 #include "rim_zipper.h"
 #include "spiral/outlines/handle_loop.h"
 #include "spiral/outlines/narrow_strip.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_spiral {
 namespace {
@@ -184,9 +186,7 @@ MeshMaker::sideOf(std::size_t free_edge, std::size_t outline, double& distance) 
     side.normals.push_back(mesh_.normals[v].cast<double>());
     side.arcs.push_back(place.arc);
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  distance = *middle;
+  distance = medianOf(std::move(distances));
   return side;
 }
 

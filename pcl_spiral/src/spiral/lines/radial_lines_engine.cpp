@@ -6,6 +6,8 @@
 
 #include <pcl_spiral/core/diagnostic.h>
 
+#include "core/angle_between.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -64,7 +66,7 @@ shareOutTurns(const RadialLineRequest& request, std::vector<RadialLine>& lines)
   };
   for (std::size_t i = 0; i < n; ++i) {
     const Eigen::Vector3d a = direction(i), b = direction(i + 1);
-    angle.push_back(angle.back() + std::atan2(a.cross(b).norm(), a.dot(b)));
+    angle.push_back(angle.back() + angleBetween(a, b));
   }
   for (std::size_t i = 0; i < n; ++i)
     lines[i].turn_share = request.inner ? lines[i].rim_share : 0.5 * (lines[i].rim_share + angle[i] / angle.back());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/angle_between.h"
 #include "core/parallel_resize.h"
 #include <pcl_spiral/spiral/impl/spiral_curve.h>
 
@@ -48,12 +49,6 @@ turnGroup(double turn)
   constexpr double single = 16.0, growth = 1.06;
   const double whole = std::floor(std::max(0.0, turn));
   return static_cast<int>(whole < single ? whole : single + std::floor(std::log(whole / single) / std::log(growth)));
-}
-
-double
-angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 /** Knots from one corner or anchor to the next. */

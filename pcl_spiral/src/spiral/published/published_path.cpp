@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "published_path.h"
 #include "common/stoppable_loop.h"
+#include "core/angle_between.h"
 
 #include "published_step.h"
 
@@ -103,7 +104,7 @@ publishedAxes(const SpiralSettings& settings, PublishedResult& result)
     result.axes[i] = axes[i].cast<float>();
     if (i == 0)
       continue;
-    const double change = std::atan2(axes[i].cross(axes[i - 1]).norm(), axes[i].dot(axes[i - 1])) / degree;
+    const double change = angleBetween(axes[i], axes[i - 1]) / degree;
     figures.largest_axis_change = std::max(figures.largest_axis_change, change);
     figures.longest_move = std::max(figures.longest_move, (result.contacts[i] - result.contacts[i - 1]).norm());
   }

@@ -14,7 +14,4 @@ Eigen::Vector3d arcBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b, d
 /** The pose at share \p t of the straight move from \p a to \p b; axis and normal move along their arcs. */
 ToolPose between(const ToolPose& a, const ToolPose& b, double t);
 
-/** Angle between two unit vectors, radians; accurate for small angles. */
-double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
-
 } // namespace pcl_spiral
