@@ -2,8 +2,10 @@
 // Clean random parts: what the preparation of the surface says of steps, clusters, outliers and gaps that are not there.
 #include "case_series.h"
 
+#include <pcl_spiral/core/impl/tolerances.h>
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/graph/impl/surface_parts.h>
+#include <pcl_spiral/surface/impl/ball_reach.h>
 #include <pcl_spiral/surface/scanned_surface.h>
 
 #include <algorithm>
@@ -15,8 +17,7 @@ namespace pcl_spiral::acceptance {
 
 namespace {
 
-constexpr unsigned int longest_run = 30; ///< s
-constexpr double most_alarms = 0.02;     ///< of the scans, of each kind
+constexpr double most_alarms = 0.02; ///< of the scans, of each kind
 
 std::vector<std::string>
 alarmsOf(const RandomCase& made)
@@ -38,6 +39,9 @@ alarmsOf(const RandomCase& made)
     alarms.emplace_back("outliers");
   if (!surface->clusters().empty())
     alarms.emplace_back("clusters");
+  const double tolerance = reachTolerance(surface->fit(), reach_share * made.settings.chord_error);
+  if (BallReach(surface->graph(), surface->fit(), made.settings.tool_radius, tolerance).missed().count > 0)
+    alarms.emplace_back("edges");
   BoundaryLoops<pcl::PointXYZ> boundary;
   boundary.setInputSurface(surface);
   boundary.setQuiet(true);
@@ -53,14 +57,15 @@ alarmsOf(const RandomCase& made)
 int
 judgeAlarms(const Options& options)
 {
-  std::map<std::string, int> kinds{{"parts", 0}, {"outliers", 0}, {"clusters", 0}, {"gaps", 0}, {"refused", 0}};
+  std::map<std::string, int> kinds{{"parts", 0}, {"outliers", 0}, {"clusters", 0}, {"gaps", 0}, {"edges", 0}, {"refused", 0}};
+  constexpr unsigned int longest = 30; // s
   int scans = 0;
   for (std::uint64_t i = options.first; i < options.first + options.count; ++i) {
     const RandomCase made = randomCase(options.seed, i);
     if (made.outliers > 0)
       continue;
     ++scans;
-    const Outcome outcome = isolated(longest_run, [&made]() -> Outcome {
+    const Outcome outcome = isolated(longest, [&made]() -> Outcome {
       std::string all;
       for (const std::string& alarm : alarmsOf(made))
         all += alarm + ' ';

@@ -69,8 +69,13 @@ int judgeTime(const Options& options);
  *  other cases, and the number of each outcome. */
 int judgeRandom(const Options& options);
 
-/** Clean random scans: in how many separate parts, outliers, clusters or gaps are seen that are not there; at most one in fifty of each. */
+/** Clean random scans: in how many separate parts, outliers, clusters, gaps or edges are seen that are not there; at most one in fifty of
+ *  each. */
 int judgeAlarms(const Options& options);
+
+/** Steps of 0.5 to 6 spacings whose side was not scanned, by their height: what is apart, what is one surface, and how deep a path cuts
+ *  into the body; and steep surfaces, which are one. */
+int judgeSteps(const Options& options);
 
 /** Random cases moved, mirrored, scaled with all lengths, shuffled, and processed with other numbers of threads: each gives
  *  the same result. */

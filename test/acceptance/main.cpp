@@ -44,6 +44,7 @@ cases()
   all["outlines"] = judgeOutlines;
   all["random"] = judgeRandom;
   all["alarms"] = judgeAlarms;
+  all["steps"] = judgeSteps;
   all["properties"] = judgeProperties;
   return all;
 }

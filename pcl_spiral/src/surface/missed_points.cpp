@@ -14,6 +14,7 @@ namespace {
 constexpr double missed_deviations = 6.0; // of the points about the fit, by their median: a point that is farther above it is missed
 constexpr double missed_spacings = 0.1;   // the least such height
 constexpr std::size_t every = 16;         // points whose heights tell the deviation
+constexpr double scans = 50.0;            // of which one has a place where chance makes such heights
 /** Mean height over the arcs from its neighbours, of the least height that counts, at which a point is fitted. At the edge of a roof the
  *  fit cuts off up to 0.7 spacings times the slope; of six neighbours four lie lower by at least half of that by the arcs. */
 constexpr float worth_a_fit = 0.2f;
@@ -33,6 +34,31 @@ noneMissed(const SurfaceGraph& graph, std::vector<float> sample)
   missed.noise = deviation_of_median * static_cast<double>(medianOf(std::move(sample)));
   missed.least = std::max(missed_spacings * graph.spacing(), missed_deviations * missed.noise);
   return missed;
+}
+
+/** Point \p i and those within two edges of it. */
+void
+gatherAbout(const Triangulation& triangles, std::uint32_t i, std::vector<std::uint32_t>& about)
+{
+  about.assign(1, i);
+  for (std::size_t ring = 0, begin = 0; ring < 2; ++ring)
+    for (const std::size_t end = about.size(); begin < end; ++begin)
+      for (std::size_t o = triangles.outgoingBegin(about[begin]); o < triangles.outgoingBegin(about[begin] + 1); ++o)
+        if (const std::uint32_t j = triangles.target(triangles.outgoing(o)); std::find(about.begin(), about.end(), j) == about.end())
+          about.push_back(j);
+}
+
+/** Whether the heights of \p about are larger than this noise makes them: the sum of the squares of n is chi-squared with n degrees of
+ *  freedom, whose cube root is about normal (Wilson and Hilferty 1931); \p rare: its standard deviations that count. So steps and edges
+ *  are found whose single points are not far from the fit, but all to their sides. */
+bool
+areMoreThanNoise(const std::vector<float>& heights, const std::vector<std::uint32_t>& about, double noise, double rare)
+{
+  double squares = 0.0;
+  for (const std::uint32_t j : about)
+    squares += static_cast<double>(heights[j]) * static_cast<double>(heights[j]);
+  const double n = static_cast<double>(about.size()), spread = 2.0 / (9.0 * n);
+  return std::cbrt(squares / (n * noise * noise)) > 1.0 - spread + rare * std::sqrt(spread);
 }
 
 /** Heights of \p points of the graph over their feet; 0 without one. */
@@ -73,18 +99,23 @@ standsOut(const SurfaceGraph& graph, std::size_t i, float height)
   return neighbours < least_neighbours || rise > height * static_cast<float>(neighbours);
 }
 
-} // namespace
-
 void
-countIfMissed(double height, const Eigen::Vector3d& place, MissedPoints& missed)
+count(double height, const Eigen::Vector3d& place, MissedPoints& missed)
 {
-  if (!(height > missed.least))
-    return;
   ++missed.count;
   if (height > missed.height) {
     missed.height = height;
     missed.place = place;
   }
+}
+
+} // namespace
+
+void
+countIfMissed(double height, const Eigen::Vector3d& place, MissedPoints& missed)
+{
+  if (height > missed.least)
+    count(height, place, missed);
 }
 
 MissedPoints
@@ -94,8 +125,23 @@ missedPoints(const SurfaceGraph& graph, const std::vector<float>& heights)
   for (std::size_t i = 0; i < heights.size(); i += every)
     sample.push_back(heights[i]);
   MissedPoints missed = noneMissed(graph, std::move(sample));
+  std::vector<std::uint8_t> is_missed(heights.size(), 0);
+  const double rare = std::sqrt(2.0 * std::log(scans * static_cast<double>(heights.size()))); // exp(-rare^2 / 2): Chernoff's bound
+#pragma omp parallel
+  {
+    std::vector<std::uint32_t> about;
+#pragma omp for schedule(static, 4096)
+    for (std::int64_t i = 0; i < static_cast<std::int64_t>(heights.size()); ++i) {
+      is_missed[i] = heights[i] > missed.least;
+      if (is_missed[i] || !(heights[i] > std::max(missed_spacings * graph.spacing(), missed.noise)))
+        continue;
+      gatherAbout(graph.triangulation(), static_cast<std::uint32_t>(i), about);
+      is_missed[i] = areMoreThanNoise(heights, about, missed.noise, rare);
+    }
+  }
   for (std::size_t i = 0; i < heights.size(); ++i)
-    countIfMissed(heights[i], graph.position(i), missed);
+    if (is_missed[i])
+      count(heights[i], graph.position(i), missed);
   return missed;
 }
 

@@ -79,6 +79,23 @@ TEST(MissedPoints, TheEdgeOfALowStepIsNamed)
   }
 }
 
+TEST(MissedPoints, AnEdgeInNoiseIsNamed)
+{
+  constexpr double spacing = 0.8, noise = 0.12; // its points stand out of the fit by three standard deviations, none by six
+  for (const double spacings : {1.3, 1.5}) {
+    SCOPED_TRACE(spacings);
+    const Made made = run(plateau(spacings * spacing, spacing, noise));
+    ASSERT_TRUE(made.status.ok()) << made.status.message();
+    const std::size_t begin = made.warnings.find(" of the scan stand up to ");
+    ASSERT_NE(begin, std::string::npos) << made.warnings;
+    double height = 0.0, x = 0.0, y = 0.0, z = 0.0;
+    ASSERT_EQ(std::sscanf(made.warnings.c_str() + begin,
+                          " of the scan stand up to %lf mm over the fitted surface, the most at (%lf, %lf, %lf)", &height, &x, &y, &z),
+              4);
+    EXPECT_NEAR(std::hypot(x, y), plateau_radius, 2.0 * spacing);
+  }
+}
+
 TEST(MissedPoints, SinglePointsThatAreLeftOutCountUnlessTheyAreHigh)
 {
   std::vector<Vector3d> points = plateau(0.0, 0.8, 0.01);
