@@ -13,11 +13,12 @@
 
 namespace pcl_spiral {
 
-/** Missed points of \p graph, whose points stand out of the fit by \p heights. */
+/** Missed points of \p graph, whose points stand out of the fit by \p heights: single ones, and those that stand out of noise together with
+ *  the points about them. */
 MissedPoints missedPoints(const SurfaceGraph& graph, const std::vector<float>& heights);
 
 /** The same, fitting only where it must: at every 16th point, which tells the usual height, and where a point stands out of the arcs from
- *  its neighbours by a fifth of the least height that counts. */
+ *  its neighbours by a fifth of the least height that counts. Only single ones are found: the others take the heights of all points. */
 MissedPoints missedPoints(const SurfaceGraph& graph, const MlsSurface& fit);
 
 /** Counts a point that stands \p height out of the fit at \p place, if it is missed. */

@@ -303,9 +303,13 @@ TEST(BallReach, CountsAllPointsCutOffAtTheEdgeOfARoof)
     std::printf("  slope %g, fillet %g, noise %g: %zu of %zu, highest %.4f, least %.4f; unreached %zu of %zu\n", slope, fillet, noise,
                 quick.missed().count, all.missed().count, all.missed().height, all.missed().least, quick.unreached().size(),
                 all.unreached().size());
-    EXPECT_EQ(quick.missed().count, all.missed().count);
-    EXPECT_NEAR(quick.missed().height, all.missed().height, 1e-6);
-    EXPECT_EQ(quick.missed().place, all.missed().place);
+    if (noise == 0.0)
+      EXPECT_EQ(quick.missed().count, all.missed().count);
+    EXPECT_GE(all.missed().count, quick.missed().count); // with all heights, edges in noise are found, too
+    if (quick.missed().count > 0) {                      // but these are lower
+      EXPECT_NEAR(quick.missed().height, all.missed().height, 1e-6);
+      EXPECT_EQ(quick.missed().place, all.missed().place);
+    }
     most = std::max(most, all.missed().count);
   };
   for (const double noise : {0.0, 0.002, 0.01}) {
