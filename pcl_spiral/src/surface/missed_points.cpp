@@ -23,15 +23,22 @@ constexpr int least_neighbours = 3;
  *  neither normals nor arcs are known. */
 constexpr float least_cosine = 0.866f;
 
+/** Standard deviation of normal \p heights, by the median of their amounts. */
+double
+deviationOf(std::vector<float> heights)
+{
+  constexpr double deviation_of_median = 1.4826; // of a normal distribution
+  for (float& height : heights)
+    height = std::abs(height);
+  return deviation_of_median * static_cast<double>(medianOf(std::move(heights)));
+}
+
 /** No points yet. \p sample: heights of some points of \p graph. */
 MissedPoints
 noneMissed(const SurfaceGraph& graph, std::vector<float> sample)
 {
-  constexpr double deviation_of_median = 1.4826; // of a normal distribution
-  for (float& height : sample)
-    height = std::abs(height);
   MissedPoints missed;
-  missed.noise = deviation_of_median * static_cast<double>(medianOf(std::move(sample)));
+  missed.noise = deviationOf(std::move(sample));
   missed.least = std::max(missed_spacings * graph.spacing(), missed_deviations * missed.noise);
   return missed;
 }
@@ -126,6 +133,7 @@ missedPoints(const SurfaceGraph& graph, const std::vector<float>& heights)
     sample.push_back(heights[i]);
   MissedPoints missed = noneMissed(graph, std::move(sample));
   std::vector<std::uint8_t> is_missed(heights.size(), 0);
+  const double noise = deviationOf(heights); // of some points it is not known well enough to judge many together
   const double rare = std::sqrt(2.0 * std::log(scans * static_cast<double>(heights.size()))); // exp(-rare^2 / 2): Chernoff's bound
 #pragma omp parallel
   {
@@ -133,10 +141,10 @@ missedPoints(const SurfaceGraph& graph, const std::vector<float>& heights)
 #pragma omp for schedule(static, 4096)
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(heights.size()); ++i) {
       is_missed[i] = heights[i] > missed.least;
-      if (is_missed[i] || !(heights[i] > std::max(missed_spacings * graph.spacing(), missed.noise)))
+      if (is_missed[i] || !(heights[i] > std::max(missed_spacings * graph.spacing(), noise)))
         continue;
       gatherAbout(graph.triangulation(), static_cast<std::uint32_t>(i), about);
-      is_missed[i] = areMoreThanNoise(heights, about, missed.noise, rare);
+      is_missed[i] = areMoreThanNoise(heights, about, noise, rare);
     }
   }
   for (std::size_t i = 0; i < heights.size(); ++i)
