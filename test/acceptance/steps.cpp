@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <sstream>
 
 namespace pcl_spiral::acceptance {
@@ -85,7 +86,6 @@ struct Found {
   bool is_path = false, is_joined = false; ///< joined: one path over cap and table
   double depth = 0.0;
   bool is_warned = false; ///< of a step or of points that stand out
-  std::string message;
 };
 
 Found
@@ -102,7 +102,6 @@ planned(const CapOnTable& body, const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud
   Path path;
   planner.compute(path);
   Found found;
-  found.message = planner.getStatus().message();
   found.is_path = planner.getStatus().ok();
   bool on_cap = false, on_table = false;
   for (const ToolpathPoint& p : path) {
@@ -117,15 +116,7 @@ planned(const CapOnTable& body, const pcl::PointCloud<pcl::PointXYZ>::Ptr& cloud
   return found;
 }
 
-std::string
-line(const char* what, double a, double b = 0.0, double c = 0.0)
-{
-  std::ostringstream text;
-  text << what << ' ' << a << ' ' << b << ' ' << c;
-  return text.str();
-}
-
-/** "apart", "joined" or "refused" with the depths of the whole scan's path and of the cap's alone. */
+/** "apart", "joined" or "refused", with the height of the step and the deepest cut of a path beside the noise. */
 Outcome
 judgeStep(std::uint64_t own)
 {
@@ -148,7 +139,9 @@ judgeStep(std::uint64_t own)
            << body.ball;
   const char* kind = part.is_path ? part.is_joined ? "joined" : "apart" : whole.is_path && whole.is_joined ? "joined" : "refused";
   const double deepest = std::max(whole.is_path ? whole.depth : 0.0, part.is_path ? part.depth : 0.0);
-  return {line(kind, body.gap, std::max(0.0, deepest - body.noise), whole.is_warned || part.is_warned), faults.str()};
+  std::ostringstream words;
+  words << kind << ' ' << body.gap << ' ' << std::max(0.0, deepest - body.noise);
+  return {words.str(), faults.str()};
 }
 
 /** Waves, roofs, pits and grooves of 30 to 78 degrees are one surface. */
@@ -180,14 +173,14 @@ judgeSteep(std::uint64_t own)
   Surface::ConstPtr surface;
   scanned.compute(surface);
   if (!surface)
-    return {line("none", 0.0), ""};
+    return {"none", ""};
   const std::vector<SurfacePart> parts = surfaceParts(surface->graph()).parts;
   const OtherParts others = otherParts(parts, largest_cluster);
   const bool parted = others == OtherParts::TooLarge || others == OtherParts::TooMany;
-  return {line(parted ? "parted" : "one", 0.0), parted ? "a surface of kind " + std::to_string(kind) + " is parted: slope " +
-                                                             std::to_string(std::atan(slope) * 180.0 / M_PI) + ", length " +
-                                                             std::to_string(length) + ", noise " + std::to_string(noise)
-                                                       : ""};
+  return {parted ? "parted" : "one", parted ? "a surface of kind " + std::to_string(kind) + " is parted: slope " +
+                                                  std::to_string(std::atan(slope) * 180.0 / M_PI) + ", length " + std::to_string(length) +
+                                                  ", noise " + std::to_string(noise)
+                                            : ""};
 }
 
 /** Steps of one range of heights. */

@@ -500,6 +500,10 @@ TEST(BoundaryLoops, SaysHowFarSeparatePartsAreApart)
   const Loops parts = loopsOf(toCloud(plates));
   EXPECT_FALSE(parts.status.ok());
   EXPECT_NE(parts.status.message().find("the largest is 7 mm from the next one, at (3.5, "), std::string::npos) << parts.status.message();
+  for (int x = 1; x < 7; ++x) // what is between them is scanned, too
+    for (int y = -30; y <= 30; ++y)
+      plates.emplace_back(x, y, 0.0);
+  EXPECT_EQ(loopsOf(toCloud(plates)).loops.size(), 1U);
 }
 
 TEST(BoundaryLoops, RefusesARimOfFarSparserPoints)

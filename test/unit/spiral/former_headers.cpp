@@ -4,6 +4,7 @@
 #include <pcl_spiral/features/boundary_loops.h>
 #include <pcl_spiral/spiral/spiral_turns.h>
 #include <pcl_spiral/surface/stray_removal.h>
+#include <pcl_spiral/surface/surface_foot.h>
 #include <pcl_spiral/toolpath/cutter_location.h>
 #include <pcl_spiral/toolpath/drive_path.h>
 #include <pcl_spiral/toolpath/radial_lines.h>
@@ -24,6 +25,7 @@ TEST(FormerHeaders, BringTheirClasses)
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
   EXPECT_GT(sizeof(StrayRemoval<Point>), 0U);
 #pragma GCC diagnostic pop
+  EXPECT_GT(sizeof(SurfaceFoot), 0U);
   EXPECT_GT(sizeof(CutterLocation<Point>), 0U);
   EXPECT_GT(sizeof(DrivePath<Point>), 0U);
   EXPECT_GT(sizeof(RadialLines<Point>), 0U);
